@@ -1,0 +1,1 @@
+"""Turns a 3D model into a wire print."""

@@ -1,0 +1,27 @@
+//! The one error type of the core.
+
+/// What can go wrong in the core; the binding maps each variant to one Python exception.
+#[derive(Debug, thiserror::Error)]
+pub enum CoreError {
+    /// The model cannot be read: the file is damaged, empty or not what it claims to be.
+    #[error("{0}")]
+    Unreadable(String),
+    /// The model was read but yields no printable contour.
+    #[error("{0}")]
+    NoContour(String),
+    /// An argument or setting is out of its bounds.
+    #[error("{0}")]
+    Setting(String),
+    /// The model cannot be printed as asked.
+    #[error("{0}")]
+    Unprintable(String),
+    /// A G-code file cannot be read.
+    #[error("{0}")]
+    Gcode(String),
+    /// The operating system refused a file.
+    #[error("{0}")]
+    Io(#[from] std::io::Error),
+}
+
+/// The core's result.
+pub type Result<T> = std::result::Result<T, CoreError>;

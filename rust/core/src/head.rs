@@ -1,0 +1,74 @@
+//! The print head as a body of revolution that opens upwards, and the exact test
+//! of a straight head move against a straight strand.
+//!
+//! Both the generator and the checker use this file; it is all that they share.
+
+use crate::error::{CoreError, Result};
+
+/// The head: a flat tip, a conical flank, the heater block, the carriage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Head {
+    /// Radius of the nozzle's flat tip, mm.
+    pub tip_radius: f64,
+    /// Tangent of the flank's slant angle from the horizontal.
+    pub slope: f64,
+    /// Height above the tip at which the heater block begins, mm.
+    pub cone_height: f64,
+    /// Radius of the heater block with its fan ducts, mm.
+    pub block_radius: f64,
+    /// Height above the tip at which the carriage begins, mm.
+    pub carriage_height: f64,
+    /// Radius of the carriage, mm.
+    pub carriage_radius: f64,
+}
+
+impl Head {
+    /// A head from its profile's figures; `slant_deg` is the flank's angle from the horizontal.
+    ///
+    /// # Errors
+    /// [`CoreError::Setting`] where a figure is not finite or out of its bounds.
+    pub fn new(
+        tip_radius: f64,
+        slant_deg: f64,
+        cone_height: f64,
+        block_radius: f64,
+        carriage_height: f64,
+        carriage_radius: f64,
+    ) -> Result<Self> {
+        let positive = [tip_radius, cone_height, block_radius, carriage_height, carriage_radius];
+        if positive.iter().any(|v| !v.is_finite() || *v <= 0.0) {
+            return Err(CoreError::Setting("the head's radii and heights must be positive".into()));
+        }
+        if !(1.0..=89.0).contains(&slant_deg) {
+            return Err(CoreError::Setting(format!(
+                "the head's slant is {slant_deg}°; it must lie in 1–89°"
+            )));
+        }
+        if carriage_height < cone_height {
+            return Err(CoreError::Setting("the head's carriage must lie above its cone".into()));
+        }
+        let slope = slant_deg.to_radians().tan();
+        Ok(Self { tip_radius, slope, cone_height, block_radius, carriage_height, carriage_radius })
+    }
+
+    /// Lowest height of the head above its tip at horizontal distance `r`, mm; infinite outside.
+    ///
+    /// `design`: 0 up to the tip's radius, the flank, then block and carriage.
+    #[must_use]
+    pub fn underside(&self, r: f64) -> f64 {
+        let flank = self.slope * (r - self.tip_radius).max(0.0);
+        if r <= self.block_radius {
+            flank.min(self.cone_height)
+        } else if r <= self.carriage_radius {
+            self.carriage_height
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Horizontal distance that a base point must keep from material `height` mm above it, mm.
+    #[must_use]
+    pub fn clearance(&self, height: f64) -> f64 {
+        self.tip_radius + height.max(0.0) / self.slope
+    }
+}

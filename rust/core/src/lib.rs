@@ -1,0 +1,17 @@
+//! Wireprint's core: a 3D model becomes a wire print (`WirePrint`, UIST 2014).
+//!
+//! Data flows one way, and each stage imports only what lies to its left:
+//! [`mesh`] → [`slices`] → [`contours`] → [`wireframe`] → [`toolpath`] → [`gcode`].
+//!
+//! Units: millimetres, seconds, mm/s, radians inside the core (degrees at the border).
+
+pub mod contours;
+pub mod error;
+pub mod gcode;
+pub mod head;
+pub mod mesh;
+pub mod slices;
+pub mod toolpath;
+pub mod wireframe;
+
+pub use error::{CoreError, Result};
