@@ -3,7 +3,11 @@
 //!
 //! Both the generator and the checker use this file; it is all that they share.
 
+mod sweep;
+
 use crate::error::{CoreError, Result};
+
+pub use sweep::Hit;
 
 /// The head: a flat tip, a conical flank, the heater block, the carriage.
 #[derive(Debug, Clone, Copy, PartialEq)]
