@@ -1,12 +1,20 @@
 //! The Python binding: converts, releases the GIL, calls the core. No algorithm lives here.
 
+mod arrays;
+mod errors;
+mod mesh;
+
 /// The extension module `wireprint._core`.
 #[pyo3::pymodule]
 mod _core {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use super::mesh::Mesh;
+
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::errors::register(module)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }
