@@ -1,0 +1,148 @@
+//! What a line of G-code says, before any state is applied to it.
+
+use super::number::decimal;
+
+/// The words of a straight move, or of `G92`; in the units of the file.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Axes {
+    /// X word.
+    pub x: Option<f64>,
+    /// Y word.
+    pub y: Option<f64>,
+    /// Z word.
+    pub z: Option<f64>,
+    /// Extruder word.
+    pub e: Option<f64>,
+    /// Feed word, per minute.
+    pub f: Option<f64>,
+}
+
+/// How an arc states its centre; in the units of the file.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Centre {
+    /// Centre relative to the start along X.
+    pub i: Option<f64>,
+    /// Centre relative to the start along Y.
+    pub j: Option<f64>,
+    /// Centre relative to the start along Z (planes G18 and G19).
+    pub k: Option<f64>,
+    /// Radius; negative for the longer of the two arcs.
+    pub r: Option<f64>,
+}
+
+/// The plane of arcs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Plane {
+    /// G17.
+    #[default]
+    Xy,
+    /// G18.
+    Xz,
+    /// G19.
+    Yz,
+}
+
+/// One line of G-code.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Command<'a> {
+    /// G0 (`rapid`) and G1.
+    Linear {
+        /// Whether it was written as G0.
+        rapid: bool,
+        /// Its words.
+        axes: Axes,
+    },
+    /// G2 (`clockwise`) and G3.
+    Arc {
+        /// Whether it was written as G2.
+        clockwise: bool,
+        /// Its end, filament and feed.
+        axes: Axes,
+        /// Its centre.
+        centre: Centre,
+    },
+    /// G4.
+    Dwell {
+        /// P word, ms.
+        p_ms: Option<f64>,
+        /// S word, s.
+        s: Option<f64>,
+    },
+    /// G17, G18, G19.
+    ArcPlane(Plane),
+    /// G20 (`inches`) and G21.
+    Units {
+        /// Whether it was written as G20.
+        inches: bool,
+    },
+    /// G28; without any axis word all three are set.
+    Home {
+        /// X is homed.
+        x: bool,
+        /// Y is homed.
+        y: bool,
+        /// Z is homed.
+        z: bool,
+    },
+    /// G90 and G91 (`relative`).
+    Positioning {
+        /// Whether it was written as G91.
+        relative: bool,
+    },
+    /// M82 and M83 (`relative`).
+    Extrusion {
+        /// Whether it was written as M83.
+        relative: bool,
+    },
+    /// G92.
+    SetPosition(Axes),
+    /// Any other G-code, without its decimals (`G29.1` is 29).
+    G(u32, Words<'a>),
+    /// Any other M-code.
+    M(u32, Words<'a>),
+    /// T-code.
+    Tool(u32),
+    /// A named command of Klipper, `SET_PIN PIN=air VALUE=1`: the name and the rest of the line.
+    Named(&'a [u8], Words<'a>),
+    /// A line that holds only a comment: what follows the semicolon, trimmed.
+    Comment(&'a [u8]),
+    /// A line that no firmware understands: it is not executed.
+    Garbage(&'a [u8]),
+}
+
+/// The words of a command, read on demand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Words<'a>(pub &'a [u8]);
+
+impl Words<'_> {
+    /// The value of the last word with this letter (capital), as firmwares read it.
+    #[must_use]
+    pub fn get(&self, letter: u8) -> Option<f64> {
+        let mut found = None;
+        let mut rest = self.0;
+        while let Some((&first, tail)) = rest.split_first() {
+            rest = tail;
+            if first.is_ascii_alphabetic() {
+                let value = decimal(tail.trim_ascii_start());
+                if first.eq_ignore_ascii_case(&letter) {
+                    found = value.map(|(value, _)| value).or(found);
+                }
+            }
+        }
+        found
+    }
+
+    /// The value of `NAME=value` in a named command, the name in any case.
+    #[must_use]
+    pub fn named(&self, name: &[u8]) -> Option<f64> {
+        self.0
+            .split(u8::is_ascii_whitespace)
+            .filter_map(|word| {
+                let equals = word.iter().position(|&b| b == b'=')?;
+                let (key, value) = word.split_at(equals);
+                key.eq_ignore_ascii_case(name).then(|| decimal(&value[1..]))?
+            })
+            .map(|(value, _)| value)
+            .next_back()
+    }
+}
