@@ -10,6 +10,7 @@ pub mod error;
 pub mod gcode;
 pub mod head;
 pub mod mesh;
+pub mod render;
 pub mod slices;
 pub mod toolpath;
 pub mod wireframe;

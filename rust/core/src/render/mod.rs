@@ -1,0 +1,40 @@
+//! Pictures: a small software renderer for strands, meshes and the bed.
+//!
+//! Strands are drawn as lit round tubes of their real diameter, with a z-buffer, on all cores;
+//! every pixel depends on the scene alone, so the bytes are the same on any number of threads.
+//!
+//! A picture takes three steps: [`Projector`] maps the scene to the screen, [`raster`] finds what
+//! each sample sees, [`shade`] colours it. [`Image::png`] writes the file.
+
+mod bed;
+mod camera;
+mod image;
+mod raster;
+mod scene;
+mod shade;
+mod stroke;
+mod tiles;
+mod triangle;
+
+pub use camera::{Camera, Projector};
+pub use image::{Frame, Image};
+pub use scene::{Facet, Rgb, Scene, Stroke, Width};
+
+use crate::error::{CoreError, Result};
+
+/// Renders `scene` as `camera` sees it, fitted to the frame.
+///
+/// # Errors
+/// [`CoreError::Setting`] where the frame or the camera is out of bounds, or a coordinate is not
+/// finite.
+pub fn render(scene: &Scene, camera: &Camera, frame: &Frame) -> Result<Image> {
+    frame.check()?;
+    camera.check()?;
+    if !scene.is_finite() {
+        return Err(CoreError::Setting("the coordinates of a picture must be finite".into()));
+    }
+    let floor = scene.floor.then(|| bed::below(scene, camera)).flatten();
+    let whole = floor.as_ref().unwrap_or(scene);
+    let projector = Projector::fit(camera, whole, frame);
+    Ok(raster::paint(whole, &projector, frame))
+}

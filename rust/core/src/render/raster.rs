@@ -1,0 +1,211 @@
+//! Finds what each sample sees, tile by tile, and gathers samples into pixels.
+
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+use super::camera::Projector;
+use super::image::{Frame, Image};
+use super::scene::Scene;
+use super::shade::Shader;
+use super::stroke::{Capsule, Part};
+use super::tiles::{SIDE, Tiles, touched};
+use super::triangle::Triangle;
+
+/// What light needs to know of a sample.
+pub(super) struct Sample {
+    /// The surface's direction, in the camera's axes.
+    pub normal: Vec3,
+    /// How near it is.
+    pub key: f32,
+    /// 1 in the middle of a tube, 0 at its silhouette.
+    pub rim: f32,
+}
+
+/// What a sample sees: nothing, or a part of the primitive with this index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sight {
+    Ground,
+    Halo,
+    Stroke(u32),
+    Facet(u32),
+}
+
+/// The scene on the screen, sorted into tiles.
+struct Screen<'a> {
+    capsules: Vec<Capsule>,
+    triangles: Vec<Triangle>,
+    capsule_tiles: Tiles,
+    triangle_tiles: Tiles,
+    frame: &'a Frame,
+    shader: Shader,
+}
+
+/// Paints the whole picture, one band of tiles per task.
+pub(super) fn paint(scene: &Scene, projector: &Projector, frame: &Frame) -> Image {
+    let screen = Screen::new(scene, projector, frame);
+    let mut rgba = vec![0_u8; frame.width * frame.height * 4];
+    rgba.par_chunks_mut(frame.width * 4 * SIDE)
+        .enumerate()
+        .for_each(|(row, band)| screen.paint_band(row, band));
+    let px_per_mm = projector.scale() / frame.supersample as f64;
+    Image { width: frame.width, height: frame.height, rgba, px_per_mm }
+}
+
+impl<'a> Screen<'a> {
+    fn new(scene: &Scene, projector: &Projector, frame: &'a Frame) -> Self {
+        let supersample = frame.supersample as f64;
+        let capsules: Vec<Capsule> = scene
+            .strokes
+            .par_iter()
+            .filter_map(|stroke| Capsule::new(stroke, projector, supersample))
+            .collect();
+        let triangles: Vec<Triangle> =
+            scene.facets.par_iter().filter_map(|facet| Triangle::new(facet, projector)).collect();
+        let (columns, rows) = (frame.width.div_ceil(SIDE), frame.height.div_ceil(SIDE));
+        let side = SIDE * frame.supersample;
+        let capsule_tiles = Tiles::sort(&capsules, columns, rows, |capsule, put| {
+            for y in touched(capsule.rows(), side, rows) {
+                let (top, bottom) = ((y * side) as f32, ((y + 1) * side) as f32);
+                touched(capsule.columns(top, bottom), side, columns).for_each(|x| put(x, y));
+            }
+        });
+        let triangle_tiles = Tiles::sort(&triangles, columns, rows, |triangle, put| {
+            for y in touched(triangle.rows(), side, rows) {
+                touched(triangle.columns(), side, columns).for_each(|x| put(x, y));
+            }
+        });
+        let shader = Shader::new(projector.keys(), frame.ground);
+        Self { capsules, triangles, capsule_tiles, triangle_tiles, frame, shader }
+    }
+
+    fn paint_band(&self, row: usize, band: &mut [u8]) {
+        let side = SIDE * self.frame.supersample;
+        let mut tile = Tile::new(side);
+        for column in 0..self.frame.width.div_ceil(SIDE) {
+            tile.clear((column * side) as f32, (row * side) as f32);
+            for &index in self.triangle_tiles.at(column, row) {
+                tile.draw_triangle(&self.triangles[index as usize], index);
+            }
+            for &index in self.capsule_tiles.at(column, row) {
+                tile.draw_capsule(&self.capsules[index as usize], index);
+            }
+            self.resolve(&tile, column, band);
+        }
+    }
+
+    /// Averages a tile's samples into its pixels of the band.
+    fn resolve(&self, tile: &Tile, column: usize, band: &mut [u8]) {
+        let (width, ss) = (self.frame.width, self.frame.supersample);
+        let columns = column * SIDE..((column + 1) * SIDE).min(width);
+        for (y, line) in band.chunks_mut(width * 4).enumerate() {
+            let pixels = line[columns.start * 4..columns.end * 4].chunks_exact_mut(4);
+            for (x, pixel) in pixels.enumerate() {
+                let (mut sum, mut covered) = (Vec3::ZERO, 0.0_f32);
+                for index in tile.samples(x * ss, y * ss, ss) {
+                    if let Some(colour) = self.colour(tile, index) {
+                        sum += colour;
+                        covered += 1.0;
+                    }
+                }
+                if covered > 0.0 {
+                    let mean = sum / covered;
+                    let alpha = 255.0 * covered / (ss * ss) as f32;
+                    // Colours lie in 0–255, so the casts only round.
+                    let bytes = [mean.x, mean.y, mean.z, alpha].map(|v| (v + 0.5) as u8);
+                    pixel.copy_from_slice(&bytes);
+                }
+            }
+        }
+    }
+
+    fn colour(&self, tile: &Tile, index: usize) -> Option<Vec3> {
+        let at = tile.place(index);
+        match tile.sights[index] {
+            Sight::Ground | Sight::Halo => self.shader.ground(),
+            Sight::Stroke(i) => {
+                let capsule = &self.capsules[i as usize];
+                Some(self.shader.light(&capsule.surface(at), capsule.colour, capsule.lit))
+            }
+            Sight::Facet(i) => {
+                let triangle = &self.triangles[i as usize];
+                Some(self.shader.light(&triangle.surface(at), triangle.colour, triangle.lit))
+            }
+        }
+    }
+}
+
+/// The samples of one tile.
+struct Tile {
+    side: usize,
+    origin: Vec2,
+    keys: Vec<f32>,
+    sights: Vec<Sight>,
+}
+
+impl Tile {
+    fn new(side: usize) -> Self {
+        let (keys, sights) = (vec![0.0; side * side], vec![Sight::Ground; side * side]);
+        Self { side, origin: Vec2::ZERO, keys, sights }
+    }
+
+    fn clear(&mut self, x: f32, y: f32) {
+        self.origin = Vec2::new(x, y);
+        self.keys.fill(f32::NEG_INFINITY);
+        self.sights.fill(Sight::Ground);
+    }
+
+    /// The middle of a sample on the screen.
+    fn place(&self, index: usize) -> Vec2 {
+        let (x, y) = (index % self.side, index / self.side);
+        self.origin + Vec2::new(x as f32 + 0.5, y as f32 + 0.5)
+    }
+
+    /// The samples of the pixel whose first sample is at (x, y).
+    fn samples(&self, x: usize, y: usize, supersample: usize) -> impl Iterator<Item = usize> {
+        let side = self.side;
+        (y..y + supersample).flat_map(move |y| (x..x + supersample).map(move |x| y * side + x))
+    }
+
+    /// The sample rows or columns of this tile whose middles lie in an interval of the screen.
+    fn within(&self, [low, high]: [f32; 2], origin: f32) -> std::ops::Range<usize> {
+        let first = (low - origin - 0.5).ceil().max(0.0) as usize;
+        let past = (high - origin + 0.5).floor().max(0.0) as usize;
+        first.min(self.side)..past.min(self.side)
+    }
+
+    /// Calls `draw` with each sample of the rows' spans.
+    fn fill(
+        &mut self,
+        rows: [f32; 2],
+        span: impl Fn(f32) -> [f32; 2],
+        hit: impl Fn(Vec2) -> Option<(f32, Sight)>,
+    ) {
+        for row in self.within(rows, self.origin.y) {
+            let y = self.origin.y + row as f32 + 0.5;
+            for column in self.within(span(y), self.origin.x) {
+                let at = Vec2::new(self.origin.x + column as f32 + 0.5, y);
+                let index = row * self.side + column;
+                if let Some((key, sight)) = hit(at)
+                    && key > self.keys[index]
+                {
+                    self.keys[index] = key;
+                    self.sights[index] = sight;
+                }
+            }
+        }
+    }
+
+    fn draw_capsule(&mut self, capsule: &Capsule, index: u32) {
+        let sight = |part| match part {
+            Part::Body => Sight::Stroke(index),
+            Part::Halo => Sight::Halo,
+        };
+        let hit = |at| capsule.hit(at).map(|(key, part)| (key, sight(part)));
+        self.fill(capsule.rows(), |y| capsule.span(y), hit);
+    }
+
+    fn draw_triangle(&mut self, triangle: &Triangle, index: u32) {
+        let hit = |at| Some((triangle.key_at(at), Sight::Facet(index)));
+        self.fill(triangle.rows(), |y| triangle.span(y), hit);
+    }
+}

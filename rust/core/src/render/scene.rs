@@ -1,0 +1,75 @@
+//! What a picture shows.
+
+use glam::DVec3;
+
+/// An sRGB colour.
+pub type Rgb = [u8; 3];
+
+/// How wide a stroke is drawn, which also says what it stands for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Width {
+    /// A strand: a lit round tube of this radius, mm.
+    Tube(f64),
+    /// A flat line of this width whatever its distance, pixels.
+    Line(f64),
+    /// A ball or rod of this radius, mm, that nothing hides.
+    Mark(f64),
+}
+
+/// One straight stroke.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// Where it begins, mm.
+    pub from: DVec3,
+    /// Where it ends, mm.
+    pub to: DVec3,
+    /// How it is drawn.
+    pub width: Width,
+    /// Its colour before light and distance act on it.
+    pub colour: Rgb,
+}
+
+/// One triangle, seen from both sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Facet {
+    /// Its corners, mm.
+    pub corners: [DVec3; 3],
+    /// Its colour before light and distance act on it.
+    pub colour: Rgb,
+    /// Whether light acts on it.
+    pub lit: bool,
+}
+
+/// Everything in a picture; of two things at the same depth, the earlier one is seen.
+#[derive(Debug, Clone, Default)]
+pub struct Scene {
+    /// Strands, lines and marks.
+    pub strokes: Vec<Stroke>,
+    /// Triangles.
+    pub facets: Vec<Facet>,
+    /// Whether a piece of the bed, z = 0, is drawn below, with a 10 mm grid and shadows.
+    pub floor: bool,
+}
+
+impl Scene {
+    /// Whether every coordinate and width is a finite number.
+    pub(super) fn is_finite(&self) -> bool {
+        let width = |w| match w {
+            Width::Tube(v) | Width::Line(v) | Width::Mark(v) => f64::is_finite(v),
+        };
+        self.strokes.iter().all(|s| s.from.is_finite() && s.to.is_finite() && width(s.width))
+            && self.facets.iter().all(|f| f.corners.iter().all(|c| c.is_finite()))
+    }
+
+    /// The points that a picture must show: lines count only where there is nothing else, since
+    /// travels come from far away.
+    pub(super) fn framed_points(&self) -> Vec<DVec3> {
+        let solid = self.strokes.iter().filter(|s| !matches!(s.width, Width::Line(_)));
+        let mut points: Vec<DVec3> = solid.flat_map(|s| [s.from, s.to]).collect();
+        points.extend(self.facets.iter().flat_map(|f| f.corners));
+        if points.is_empty() {
+            points.extend(self.strokes.iter().flat_map(|s| [s.from, s.to]));
+        }
+        points
+    }
+}
