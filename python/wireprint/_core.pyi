@@ -1,5 +1,5 @@
 import os
-from typing import ClassVar, final
+from typing import ClassVar, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
@@ -47,3 +47,41 @@ class Mesh:
     def volume(self) -> float: ...
     @property
     def area(self) -> float: ...
+
+_Rgb: TypeAlias = tuple[int, int, int]
+
+@final
+class Scene:
+    def __new__(cls, *, floor: bool = False) -> Scene: ...
+    def add_strands(
+        self,
+        segments: npt.NDArray[np.float64],
+        kinds: npt.NDArray[np.uint8],
+        palette: list[_Rgb | None],
+        radius_mm: float,
+    ) -> None: ...
+    def add_lines(
+        self, segments: npt.NDArray[np.float64], colour: _Rgb, width_px: float
+    ) -> None: ...
+    def add_marks(
+        self, points: npt.NDArray[np.float64], colour: _Rgb, radius_mm: float
+    ) -> None: ...
+    def add_mesh(self, mesh: Mesh, colour: _Rgb, *, edges: _Rgb | None = None) -> None: ...
+    def render(
+        self,
+        size: tuple[int, int],
+        camera: tuple[float, float, float],
+        *,
+        supersample: int,
+        margins: tuple[float, float, float, float],
+        ground: _Rgb | None,
+    ) -> tuple[bytes, float]: ...
+    def png(
+        self,
+        size: tuple[int, int],
+        camera: tuple[float, float, float],
+        *,
+        supersample: int,
+        margins: tuple[float, float, float, float],
+        ground: _Rgb | None,
+    ) -> bytes: ...

@@ -3,6 +3,7 @@
 mod arrays;
 mod errors;
 mod mesh;
+mod render;
 
 /// The extension module `wireprint._core`.
 #[pyo3::pymodule]
@@ -11,6 +12,8 @@ mod _core {
 
     #[pymodule_export]
     use super::mesh::Mesh;
+    #[pymodule_export]
+    use super::render::Scene;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

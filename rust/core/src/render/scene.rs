@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::mesh::Mesh;
+
 /// An sRGB colour.
 pub type Rgb = [u8; 3];
 
@@ -51,7 +53,27 @@ pub struct Scene {
     pub floor: bool,
 }
 
+/// Width of a mesh's edges, pixels.
+const EDGE_PX: f64 = 1.0;
+
 impl Scene {
+    /// Adds a mesh's triangles, and its edges as thin lines where they have a colour.
+    pub fn add_mesh(&mut self, mesh: &Mesh, colour: Rgb, edges: Option<Rgb>) {
+        let facets = (0..mesh.faces.len()).map(|f| mesh.corners(f));
+        self.facets.extend(facets.map(|corners| Facet { corners, colour, lit: true }));
+        let Some(colour) = edges else { return };
+        for (f, neighbours) in mesh.neighbours.iter().enumerate() {
+            let corners = mesh.corners(f);
+            for (i, neighbour) in neighbours.iter().enumerate() {
+                // An edge of two faces is drawn with the first; a rim has no second (`NO_FACE`).
+                if *neighbour as usize > f {
+                    let (from, to) = (corners[i], corners[(i + 1) % 3]);
+                    self.strokes.push(Stroke { from, to, width: Width::Line(EDGE_PX), colour });
+                }
+            }
+        }
+    }
+
     /// Whether every coordinate and width is a finite number.
     pub(super) fn is_finite(&self) -> bool {
         let width = |w| match w {

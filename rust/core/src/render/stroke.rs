@@ -41,7 +41,8 @@ pub(super) struct Capsule {
     pub(super) lit: bool,
 }
 
-/// What is nearer than everything else by this is seen through all of it.
+/// A mark is nearer than everything else by this. A line is nearer by its own width, so that it
+/// is seen on a surface that it lies in.
 const ON_TOP: f32 = 1e7;
 
 impl Capsule {
@@ -56,7 +57,11 @@ impl Capsule {
         };
         let lit = !matches!(stroke.width, Width::Line(_));
         let bulges = [a, b].map(|s| if lit { s.key_per_mm / s.scale } else { 0.0 });
-        let top = if matches!(stroke.width, Width::Mark(_)) { ON_TOP } else { 0.0 };
+        let top = match stroke.width {
+            Width::Tube(_) => 0.0,
+            Width::Line(pixels) => (pixels * supersample * a.key_per_mm / a.scale) as f32,
+            Width::Mark(_) => ON_TOP,
+        };
         let start = Vec2::new(a.x as f32, a.y as f32);
         let along = Vec2::new(b.x as f32, b.y as f32) - start;
         let length2 = along.length_squared();

@@ -1,0 +1,198 @@
+//! What the renderer promises, read off its pixels.
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::DVec3;
+use wireprint_core::render::{Camera, Facet, Frame, Image, Rgb, Scene, Stroke, Width, render};
+use wireprint_core::{CoreError, Result};
+
+const RED: Rgb = [220, 30, 30];
+const BLUE: Rgb = [30, 30, 220];
+const WHITE: Rgb = [255, 255, 255];
+const FRONT: Camera = Camera { azimuth: 0.0, elevation: 0.0, field_of_view: 0.0 };
+const FRAME: Frame =
+    Frame { width: 200, height: 100, supersample: 2, margins: [10.0; 4], ground: Some(WHITE) };
+
+fn tube(from: [f64; 3], to: [f64; 3], colour: Rgb) -> Stroke {
+    Stroke { from: from.into(), to: to.into(), width: Width::Tube(0.5), colour }
+}
+
+fn scene(strokes: &[Stroke]) -> Scene {
+    Scene { strokes: strokes.to_vec(), ..Scene::default() }
+}
+
+fn pixel(image: &Image, x: usize, y: usize) -> [u8; 4] {
+    std::array::from_fn(|i| image.rgba[(y * image.width + x) * 4 + i])
+}
+
+/// Whether a pixel is of the colour's hue, however lit.
+fn shows(image: &Image, x: usize, y: usize, colour: Rgb) -> bool {
+    let [r, _, b, alpha] = pixel(image, x, y);
+    let red = colour[0] > colour[2];
+    alpha == 255 && if red { r > b.saturating_add(40) } else { b > r.saturating_add(40) }
+}
+
+#[test]
+fn a_strand_seen_from_the_front_fills_its_projection_and_nothing_else() -> Result<()> {
+    // 18 mm in 180 free pixels: 10 px per mm, so the tube is 10 px wide about row 50.
+    let image = render(&scene(&[tube([-9.0, 0.0, 5.0], [9.0, 0.0, 5.0], RED)]), &FRONT, &FRAME)?;
+    assert!((image.px_per_mm - 10.0).abs() < 1e-9);
+    for x in 12..188 {
+        for y in 0..100 {
+            let from_axis = (y as f64 + 0.5 - 50.0).abs();
+            if from_axis < 4.0 {
+                assert!(shows(&image, x, y, RED), "({x}, {y}) shows {:?}", pixel(&image, x, y));
+            } else if from_axis > 6.0 {
+                assert_eq!(pixel(&image, x, y), [255; 4], "({x}, {y})");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_nearer_of_two_crossing_strands_is_seen_whichever_comes_first() -> Result<()> {
+    let near = tube([-9.0, -4.0, 5.0], [9.0, -4.0, 5.0], RED);
+    let far = tube([0.0, 4.0, 1.0], [0.0, 4.0, 9.0], BLUE);
+    for strokes in [[near, far], [far, near]] {
+        let image = render(&scene(&strokes), &FRONT, &FRAME)?;
+        assert!(shows(&image, 100, 50, RED));
+        let behind = Camera { azimuth: std::f64::consts::PI, ..FRONT };
+        assert!(shows(&render(&scene(&strokes), &behind, &FRAME)?, 100, 50, BLUE));
+    }
+    Ok(())
+}
+
+#[test]
+fn a_triangle_hides_what_lies_behind_it_but_not_a_mark() -> Result<()> {
+    let corners = [[-9.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 0.0, 9.0]].map(DVec3::from);
+    let facets = vec![Facet { corners, colour: BLUE, lit: true }];
+    let mut hidden = tube([-0.1, 5.0, 3.0], [0.1, 5.0, 3.0], RED);
+    let picture = |stroke| {
+        let scene = Scene { strokes: vec![stroke], facets: facets.clone(), floor: false };
+        render(&scene, &FRONT, &FRAME)
+    };
+    assert!(shows(&picture(hidden)?, 100, 63, BLUE));
+    hidden.width = Width::Mark(0.5);
+    assert!(shows(&picture(hidden)?, 100, 63, RED));
+    Ok(())
+}
+
+#[test]
+fn the_cameras_named_sides_show_the_axes_upright() -> Result<()> {
+    // A red tip at +x, a blue one at +z: right and top from the front, top right from above.
+    let along_x = tube([2.0, 0.0, 0.0], [9.0, 0.0, 0.0], RED);
+    let along_z = tube([0.0, 0.0, 2.0], [0.0, 0.0, 9.0], BLUE);
+    let front = render(&scene(&[along_x, along_z]), &FRONT, &FRAME)?;
+    let column = |image: &Image, colour| {
+        let hits: Vec<(usize, usize)> = (0..image.height)
+            .flat_map(|y| (0..image.width).map(move |x| (x, y)))
+            .filter(|&(x, y)| shows(image, x, y, colour))
+            .collect();
+        let n = hits.len().max(1);
+        let sum = hits.iter().fold((0, 0), |s, h| (s.0 + h.0, s.1 + h.1));
+        (sum.0 / n, sum.1 / n)
+    };
+    let (red, blue) = (column(&front, RED), column(&front, BLUE));
+    assert!(red.0 > blue.0 && red.1 > blue.1, "{red:?} {blue:?}");
+
+    let along_y = tube([0.0, 2.0, 0.0], [0.0, 9.0, 0.0], BLUE);
+    let top = Camera { elevation: FRAC_PI_2, ..FRONT };
+    let above = render(&scene(&[along_x, along_y]), &top, &FRAME)?;
+    let (red, blue) = (column(&above, RED), column(&above, BLUE));
+    assert!(red.0 > blue.0 && red.1 > blue.1, "{red:?} {blue:?}");
+    Ok(())
+}
+
+#[test]
+fn perspective_draws_the_nearer_of_two_equal_strands_larger() -> Result<()> {
+    let strokes = [
+        tube([-5.0, -20.0, 0.0], [-5.0, -20.0, 9.0], RED),
+        tube([5.0, 20.0, 0.0], [5.0, 20.0, 9.0], BLUE),
+    ];
+    let camera = Camera { field_of_view: 0.8, ..FRONT };
+    let image = render(&scene(&strokes), &camera, &FRAME)?;
+    let area = |colour| {
+        (0..100)
+            .flat_map(|y| (0..200).map(move |x| (x, y)))
+            .filter(|&(x, y)| shows(&image, x, y, colour))
+            .count()
+    };
+    assert!(area(RED) > 2 * area(BLUE), "{} {}", area(RED), area(BLUE));
+    Ok(())
+}
+
+#[test]
+fn every_number_of_threads_gives_the_same_bytes() -> Result<()> {
+    let mut strokes = Vec::new();
+    for i in 0..2000_u32 {
+        let at = |k: u32| {
+            let a = f64::from(i * 7 + k) * 0.618;
+            DVec3::new(20.0 * a.sin(), 20.0 * (1.3 * a).cos(), f64::from(i) * 0.02)
+        };
+        let width = if i % 5 == 0 { Width::Line(1.5) } else { Width::Tube(0.35) };
+        strokes.push(Stroke { from: at(0), to: at(3), width, colour: [(i % 256) as u8, 80, 90] });
+    }
+    let scene = Scene { strokes, facets: Vec::new(), floor: true };
+    let camera = Camera { azimuth: 0.5, elevation: 0.4, field_of_view: 0.5 };
+    let picture = |threads| -> Result<Vec<u8>> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("a thread pool").install(|| render(&scene, &camera, &FRAME)?.png())
+    };
+    assert_eq!(picture(1)?, picture(4)?);
+    Ok(())
+}
+
+#[test]
+fn an_empty_scene_gives_the_bare_ground_or_full_transparency() -> Result<()> {
+    let empty = Scene { floor: true, ..Scene::default() };
+    let opaque = render(&empty, &FRONT, &FRAME)?;
+    assert!(opaque.rgba.iter().all(|&v| v == 255));
+    let clear = render(&empty, &FRONT, &Frame { ground: None, ..FRAME })?;
+    assert!(clear.rgba.iter().all(|&v| v == 0));
+    Ok(())
+}
+
+#[test]
+fn a_travel_from_far_behind_the_camera_neither_shrinks_the_print_nor_covers_it() -> Result<()> {
+    let strand = tube([-9.0, 0.0, 5.0], [9.0, 0.0, 5.0], RED);
+    let from = DVec3::new(0.0, -5000.0, 800.0);
+    let travel =
+        Stroke { from, to: DVec3::new(0.0, 0.0, 5.0), width: Width::Line(1.0), colour: BLUE };
+    let camera = Camera { field_of_view: 0.5, ..FRONT };
+    let alone = render(&scene(&[strand]), &camera, &FRAME)?;
+    let both = render(&scene(&[strand, travel]), &camera, &FRAME)?;
+    assert_eq!(alone.px_per_mm, both.px_per_mm);
+    assert!(shows(&both, 50, 50, RED) && shows(&both, 150, 50, RED));
+    Ok(())
+}
+
+#[test]
+fn a_png_holds_the_pixels_it_was_made_from() -> Result<()> {
+    let scene = scene(&[tube([-9.0, 0.0, 5.0], [9.0, 0.0, 5.0], RED)]);
+    let image = render(&scene, &FRONT, &Frame { ground: None, ..FRAME })?;
+    let bytes = image.png()?;
+    let decoder = png::Decoder::new(std::io::Cursor::new(&bytes));
+    let mut reader = decoder.read_info().expect("a PNG header");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+    let info = reader.next_frame(&mut pixels).expect("a picture");
+    assert_eq!((info.width, info.height), (200, 100));
+    assert_eq!(pixels, image.rgba);
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused_by_name() {
+    let refused = |scene: &Scene, camera: &Camera, frame: &Frame| match render(scene, camera, frame)
+    {
+        Err(CoreError::Setting(text)) => text,
+        other => panic!("{other:?}"),
+    };
+    let none = Scene::default();
+    assert!(refused(&none, &FRONT, &Frame { width: 0, ..FRAME }).contains("0×100"));
+    assert!(refused(&none, &FRONT, &Frame { supersample: 9, ..FRAME }).contains("supersampling"));
+    let tilted = Camera { elevation: 2.0, ..FRONT };
+    assert!(refused(&none, &tilted, &FRAME).contains("elevation"));
+    let broken = scene(&[tube([f64::NAN, 0.0, 0.0], [1.0, 0.0, 0.0], RED)]);
+    assert!(refused(&broken, &FRONT, &FRAME).contains("finite"));
+}
