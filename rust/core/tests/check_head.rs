@@ -1,5 +1,7 @@
 //! The exact head test against analytic cases and a brute-force sampling oracle.
 
+#![allow(clippy::unwrap_used)]
+
 use glam::{DVec2, DVec3, dvec3};
 use wireprint_core::head::Head;
 
