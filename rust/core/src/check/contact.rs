@@ -1,0 +1,176 @@
+//! Where a strand touches what is there already.
+
+use glam::DVec3;
+
+use super::Rules;
+use super::deposit::Deposit;
+
+/// Coordinates in G-code are rounded, usually to a thousandth of a millimetre; both strands of a
+/// contact may be off by half of that along each axis.
+const ROUNDING_MM: f64 = 2e-3;
+
+/// Material of the same chain counts from this many strand diameters back.
+const OWN_CHAIN_DIAMETERS: f64 = 3.0;
+
+/// A part of a strand, as parameters 0–1.
+pub(super) type Part = [f64; 2];
+
+/// Greatest distance between centrelines in contact, mm.
+pub(super) fn touch(rules: &Rules) -> f64 {
+    rules.strand + ROUNDING_MM
+}
+
+/// The parts of a strand that are in contact with the bed or earlier material, in order, disjoint.
+pub(super) fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> {
+    let ends = deposit.strands[strand as usize];
+    let mut parts = Vec::new();
+    parts.extend(below(ends, rules.bed_contact + ROUNDING_MM));
+    if parts == [[0.0, 1.0]] {
+        return parts;
+    }
+    let radius = touch(rules);
+    let lowest = ends[0].z.min(ends[1].z) - radius;
+    deposit.grid.earlier(ends, radius, strand, lowest, |other| {
+        let material = eligible(strand, other, deposit, rules.strand * OWN_CHAIN_DIAMETERS);
+        parts.extend(material.and_then(|material| within(ends, material, radius)));
+    });
+    merge(parts)
+}
+
+/// The part of strand `other` that may hold `strand`: all of it, or, in the same chain, what lies
+/// at least `back` mm before the strand's start.
+fn eligible(strand: u32, other: u32, deposit: &Deposit, back: f64) -> Option<[DVec3; 2]> {
+    let (link, from) = (deposit.links[strand as usize], deposit.links[other as usize]);
+    let [a, b] = deposit.strands[other as usize];
+    if link.chain != from.chain {
+        return Some([a, b]);
+    }
+    let share = (link.arc - back - from.arc) / from.length;
+    (share > 0.0).then(|| [a, a.lerp(b, share.min(1.0))])
+}
+
+/// The part of a segment whose height is at most `height`.
+fn below([a, b]: [DVec3; 2], height: f64) -> Option<Part> {
+    match (a.z <= height, b.z <= height) {
+        (true, true) => Some([0.0, 1.0]),
+        (false, false) => None,
+        (true, false) => Some([0.0, (height - a.z) / (b.z - a.z)]),
+        (false, true) => Some([(height - a.z) / (b.z - a.z), 1.0]),
+    }
+}
+
+/// The part of a segment within `radius` of another.
+///
+/// The points within `radius` of a segment form a capsule, which is convex: the part is the hull
+/// of those in its two balls and in its cylinder.
+pub(super) fn within(segment: [DVec3; 2], axis: [DVec3; 2], radius: f64) -> Option<Part> {
+    let apart = segment[0].min(segment[1]) - axis[0].max(axis[1]);
+    let apart = apart.max(axis[0].min(axis[1]) - segment[0].max(segment[1]));
+    if apart.max_element() > radius {
+        return None;
+    }
+    let run = segment[1] - segment[0];
+    let ball = |centre| ball(segment[0] - centre, run, radius);
+    [ball(axis[0]), ball(axis[1]), cylinder(segment[0] - axis[0], run, axis[1] - axis[0], radius)]
+        .into_iter()
+        .flatten()
+        .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
+/// Where `|offset + t·run| ≤ radius`, for t in 0–1.
+fn ball(offset: DVec3, run: DVec3, radius: f64) -> Option<Part> {
+    let c = offset.length_squared() - radius * radius;
+    let (a, b) = (run.length_squared(), offset.dot(run));
+    if a == 0.0 {
+        return (c <= 0.0).then_some([0.0, 1.0]);
+    }
+    let discriminant = b * b - a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    unit((-b - root) / a, (-b + root) / a)
+}
+
+/// Where `offset + t·run` is within `radius` of the axis and between its ends, for t in 0–1.
+fn cylinder(offset: DVec3, run: DVec3, axis: DVec3, radius: f64) -> Option<Part> {
+    let squared = axis.length_squared();
+    if squared == 0.0 {
+        return None;
+    }
+    let (along, rate) = (offset.dot(axis) / squared, run.dot(axis) / squared);
+    let [enter, leave] = ball(offset - along * axis, run - rate * axis, radius)?;
+    if rate == 0.0 {
+        return (0.0..=1.0).contains(&along).then_some([enter, leave]);
+    }
+    let (u, v) = (-along / rate, (1.0 - along) / rate);
+    unit(enter.max(u.min(v)), leave.min(u.max(v)))
+}
+
+fn unit(low: f64, high: f64) -> Option<Part> {
+    let (low, high) = (low.max(0.0), high.min(1.0));
+    (low <= high).then_some([low, high])
+}
+
+/// Sorts parts and joins those that overlap.
+fn merge(mut parts: Vec<Part>) -> Vec<Part> {
+    parts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    parts.dedup_by(|next, last| {
+        let joined = next[0] <= last[1];
+        if joined {
+            last[1] = last[1].max(next[1]);
+        }
+        joined
+    });
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::dvec3;
+
+    use super::*;
+
+    #[test]
+    fn a_segment_across_another_is_within_the_radius_symmetrically() {
+        let segment = [dvec3(-5.0, 0.0, 0.0), dvec3(5.0, 0.0, 0.0)];
+        let axis = [dvec3(0.0, -5.0, 0.3), dvec3(0.0, 5.0, 0.3)];
+        let [enter, leave] = within(segment, axis, 0.5).unwrap();
+        assert!((enter - 0.46).abs() < 1e-12 && (leave - 0.54).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_part_within_the_radius_has_exactly_that_distance_at_its_ends() {
+        let mut state = 7_u64;
+        let mut unit = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut found = 0;
+        for _ in 0..5_000 {
+            let mut point = || dvec3(unit(), unit(), unit()) * 4.0;
+            let (segment, axis) = ([point(), point()], [point(), point()]);
+            let distance = |t: f64| {
+                let p = segment[0].lerp(segment[1], t);
+                let run = axis[1] - axis[0];
+                let u = ((p - axis[0]).dot(run) / run.length_squared()).clamp(0.0, 1.0);
+                p.distance(axis[0] + u * run)
+            };
+            let sampled = (0..=100).map(|i| distance(f64::from(i) / 100.0) <= 0.7);
+            match within(segment, axis, 0.7) {
+                None => assert!(!sampled.into_iter().any(|inside| inside)),
+                Some([enter, leave]) => {
+                    found += 1;
+                    for (end, rim) in [(enter, 0.0), (leave, 1.0)] {
+                        assert!(end == rim || (distance(end) - 0.7).abs() < 1e-9);
+                    }
+                    for (i, inside) in sampled.enumerate() {
+                        let t = i as f64 / 100.0;
+                        assert!(!inside || (enter - 1e-9..=leave + 1e-9).contains(&t));
+                    }
+                }
+            }
+        }
+        assert!(found > 300);
+    }
+}

@@ -1,0 +1,190 @@
+//! Strands in a grid over xy, each cell in the order of printing.
+//!
+//! Prints grow upwards, so in a cell the high strands are the latest. Every entry therefore knows
+//! the highest point of its cell up to itself and the lowest from itself on, and a search backwards
+//! or forwards in time stops as soon as nothing further can matter. That keeps a query from
+//! looking at what lies far below or above.
+
+use glam::{DVec2, DVec3};
+
+/// Preferred size of a cell, mm: a few strand diameters, about the reach of a flank.
+const CELL_MM: f64 = 4.0;
+
+/// Most cells along one side.
+const MOST_CELLS: f64 = 512.0;
+
+/// Added to a distance of search, mm: far above rounding, far below any figure that matters.
+const SLACK_MM: f64 = 1e-6;
+
+/// A strand in a cell.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    strand: u32,
+    /// Highest point of the cell's strands up to this one, mm.
+    ceiling: f64,
+    /// Lowest point of the cell's strands from this one on, mm.
+    floor: f64,
+}
+
+/// The grid; what lies outside its rectangle belongs to the nearest cell at its rim.
+#[derive(Debug)]
+pub(super) struct Grid {
+    low: DVec2,
+    cell: DVec2,
+    columns: usize,
+    rows: usize,
+    starts: Vec<usize>,
+    entries: Vec<Entry>,
+}
+
+impl Grid {
+    /// Sorts strands into cells that cover the rectangle `low`–`high`.
+    pub(super) fn new(strands: &[[DVec3; 2]], low: DVec2, high: DVec2) -> Self {
+        let size = (high - low).max(DVec2::splat(CELL_MM));
+        let counts = (size / CELL_MM).ceil().min(DVec2::splat(MOST_CELLS));
+        let (columns, rows) = (counts.x as usize, counts.y as usize);
+        let mut grid = Self {
+            low,
+            cell: size / counts,
+            columns,
+            rows,
+            starts: vec![0; columns * rows + 1],
+            entries: Vec::new(),
+        };
+        grid.count(strands);
+        grid.fill(strands);
+        grid.bound(strands);
+        grid
+    }
+
+    fn count(&mut self, strands: &[[DVec3; 2]]) {
+        let mut counts = vec![0_usize; self.columns * self.rows];
+        for strand in strands {
+            self.visit(*strand, 0.0, |cell| counts[cell] += 1);
+        }
+        let mut total = 0;
+        for (start, count) in self.starts.iter_mut().skip(1).zip(counts) {
+            total += count;
+            *start = total;
+        }
+    }
+
+    fn fill(&mut self, strands: &[[DVec3; 2]]) {
+        let mut next = self.starts.clone();
+        let empty = Entry { strand: 0, ceiling: 0.0, floor: 0.0 };
+        let mut entries = vec![empty; *self.starts.last().unwrap_or(&0)];
+        for (strand, ends) in (0_u32..).zip(strands) {
+            self.visit(*ends, 0.0, |cell| {
+                entries[next[cell]].strand = strand;
+                next[cell] += 1;
+            });
+        }
+        self.entries = entries;
+    }
+
+    fn bound(&mut self, strands: &[[DVec3; 2]]) {
+        for cell in self.starts.windows(2) {
+            let entries = &mut self.entries[cell[0]..cell[1]];
+            let mut ceiling = f64::NEG_INFINITY;
+            for entry in &mut *entries {
+                let [a, b] = strands[entry.strand as usize];
+                ceiling = ceiling.max(a.z.max(b.z));
+                entry.ceiling = ceiling;
+            }
+            let mut floor = f64::INFINITY;
+            for entry in entries.iter_mut().rev() {
+                let [a, b] = strands[entry.strand as usize];
+                floor = floor.min(a.z.min(b.z));
+                entry.floor = floor;
+            }
+        }
+    }
+
+    /// Calls `found` with each strand before strand `before` whose cell lies within `reach` of the
+    /// segment (mm, over xy), latest first in each cell, until nothing in the cell rises above
+    /// `height`. A strand that lies in several cells is found in each of them.
+    pub(super) fn earlier(
+        &self,
+        segment: [DVec3; 2],
+        reach: f64,
+        before: u32,
+        height: f64,
+        mut found: impl FnMut(u32),
+    ) {
+        self.visit(segment, reach, |cell| {
+            let entries = &self.entries[self.starts[cell]..self.starts[cell + 1]];
+            let end = entries.partition_point(|entry| entry.strand < before);
+            for entry in entries[..end].iter().rev() {
+                if entry.ceiling <= height {
+                    break;
+                }
+                found(entry.strand);
+            }
+        });
+    }
+
+    /// Whether `test` holds for any strand after strand `after` whose cell lies within `reach` of
+    /// the point, earliest first in each cell, until nothing in the cell goes below `height`.
+    pub(super) fn any_later(
+        &self,
+        point: DVec3,
+        reach: f64,
+        after: u32,
+        height: f64,
+        mut test: impl FnMut(u32) -> bool,
+    ) -> bool {
+        let mut any = false;
+        self.visit([point, point], reach, |cell| {
+            let entries = &self.entries[self.starts[cell]..self.starts[cell + 1]];
+            let begin = entries.partition_point(|entry| entry.strand <= after);
+            let later = entries[begin..].iter().take_while(|entry| entry.floor <= height);
+            any = any || later.map(|entry| entry.strand).any(&mut test);
+        });
+        any
+    }
+
+    /// Calls `found` with every cell that a segment comes within `reach` of, row by row.
+    fn visit(&self, [a, b]: [DVec3; 2], reach: f64, mut found: impl FnMut(usize)) {
+        let reach = reach + SLACK_MM;
+        let first = self.row(a.y.min(b.y) - reach);
+        let last = self.row(a.y.max(b.y) + reach);
+        for row in first..=last {
+            let bottom = self.low.y + row as f64 * self.cell.y - reach;
+            let top = bottom + self.cell.y + 2.0 * reach;
+            let bottom = if row == 0 { f64::NEG_INFINITY } else { bottom };
+            let top = if row + 1 == self.rows { f64::INFINITY } else { top };
+            let Some((left, right)) = clip(a, b, bottom, top) else { continue };
+            for column in self.column(left - reach)..=self.column(right + reach) {
+                found(row * self.columns + column);
+            }
+        }
+    }
+
+    fn column(&self, x: f64) -> usize {
+        (((x - self.low.x) / self.cell.x) as usize).min(self.columns - 1)
+    }
+
+    fn row(&self, y: f64) -> usize {
+        (((y - self.low.y) / self.cell.y) as usize).min(self.rows - 1)
+    }
+}
+
+/// Range of x of the part of `a`–`b` with y in `bottom`–`top`.
+fn clip(a: DVec3, b: DVec3, bottom: f64, top: f64) -> Option<(f64, f64)> {
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    let rise = b.y - a.y;
+    if rise == 0.0 {
+        if a.y < bottom || a.y > top {
+            return None;
+        }
+    } else {
+        let (u, v) = ((bottom - a.y) / rise, (top - a.y) / rise);
+        enter = enter.max(u.min(v));
+        leave = leave.min(u.max(v));
+        if enter > leave {
+            return None;
+        }
+    }
+    let (x0, x1) = (a.x + enter * (b.x - a.x), a.x + leave * (b.x - a.x));
+    Some((x0.min(x1), x0.max(x1)))
+}

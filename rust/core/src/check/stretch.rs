@@ -1,0 +1,156 @@
+//! Rules 2 and 3: what holds each chain, and how far it hangs between.
+//!
+//! Along a chain, parts in contact alternate with **stretches** that hang. Where a stretch begins
+//! with strokes that rise from a contact by at least half a strand diameter, the vertex from which
+//! it rises no further is a **peak**: the strokes up to it solidify as a free end that carries
+//! itself (a post), and what follows hangs from the peak. A stretch that ends at the chain's end
+//! without contact is a free end too. All others are held at both ends.
+//!
+//! Under its own tension a hanging stretch relaxes towards the chord between what holds it.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::deposit::Deposit;
+use super::{LooseEnd, Relaxed, Rules, Span, contact};
+
+/// Strands that one task tests.
+const BATCH: usize = 64;
+
+/// What holds the chains of a deposit.
+#[derive(Debug, Default)]
+pub(super) struct Held {
+    pub floating_starts: Vec<LooseEnd>,
+    pub dangling_ends: Vec<LooseEnd>,
+    pub spans_over: Vec<Span>,
+    pub max_span: f64,
+    pub max_free_end: f64,
+    pub relaxed: Vec<Relaxed>,
+}
+
+/// Walks along all chains.
+pub(super) fn hold(deposit: &Deposit, rules: &Rules) -> Held {
+    let contacts: Vec<Vec<contact::Part>> = (0..deposit.strands.len() as u32)
+        .into_par_iter()
+        .with_min_len(BATCH)
+        .map(|strand| contact::parts(strand, deposit, rules))
+        .collect();
+    let mut held = Held::default();
+    let mut first = 0;
+    for chain in deposit.links.chunk_by(|a, b| a.chain == b.chain) {
+        let of_chain = &contacts[first..first + chain.len()];
+        let mut walk = Walk::start(first, of_chain, deposit, rules, &mut held);
+        for (strand, parts) in (first..).zip(of_chain) {
+            walk.along(strand, parts);
+        }
+        first += chain.len();
+        walk.end(first - 1);
+    }
+    held
+}
+
+/// A walk along one chain.
+struct Walk<'a> {
+    deposit: &'a Deposit,
+    rules: &'a Rules,
+    held: &'a mut Held,
+    /// Where the last contact or peak was, mm.
+    support: DVec3,
+    /// Length since then, mm.
+    hanging: f64,
+    /// Whether the stretch has only risen since its contact: its top may become a peak.
+    rising: bool,
+}
+
+impl<'a> Walk<'a> {
+    fn start(
+        first: usize,
+        contacts: &[Vec<contact::Part>],
+        deposit: &'a Deposit,
+        rules: &'a Rules,
+        held: &'a mut Held,
+    ) -> Self {
+        let at = deposit.strands[first][0];
+        if contacts[0].first().is_none_or(|part| part[0] > 0.0) {
+            held.floating_starts.push(LooseEnd { line: deposit.lines[first], at });
+        }
+        Self { deposit, rules, held, support: at, hanging: 0.0, rising: true }
+    }
+
+    /// Goes along one strand with its parts in contact.
+    fn along(&mut self, strand: usize, contacts: &[contact::Part]) {
+        let [from, to] = self.deposit.strands[strand];
+        let length = self.deposit.links[strand].length;
+        if self.rising && to.z <= from.z {
+            self.crest(strand, from);
+        }
+        let mut done = 0.0;
+        for &[enter, leave] in contacts {
+            self.hanging += (enter - done) * length;
+            let (begin, end) = (from.lerp(to, enter), from.lerp(to, leave));
+            self.close(strand, begin, false);
+            self.relax(strand, begin, end);
+            self.support = end;
+            self.rising = true;
+            done = leave;
+        }
+        self.hanging += (1.0 - done) * length;
+        if done < 1.0 && to.z <= from.z {
+            self.rising = false;
+        }
+    }
+
+    /// The stretch rises no further than `top`, where strand `next` begins: a peak, if high enough.
+    fn crest(&mut self, next: usize, top: DVec3) {
+        self.rising = false;
+        if self.hanging > 0.0 && top.z - self.support.z >= self.rules.tolerance() {
+            self.close(next - 1, top, true);
+            self.support = top;
+        }
+    }
+
+    /// Ends the chain behind strand `last`.
+    fn end(mut self, last: usize) {
+        if self.hanging == 0.0 {
+            return;
+        }
+        let at = self.deposit.strands[last][1];
+        self.close(last, at, true);
+        if !met_later(last as u32, at, self.deposit, self.rules) {
+            self.held.dangling_ends.push(LooseEnd { line: self.deposit.lines[last], at });
+        }
+    }
+
+    /// Ends a hanging stretch at a point on strand `strand`.
+    fn close(&mut self, strand: usize, to: DVec3, free_end: bool) {
+        let length = std::mem::take(&mut self.hanging);
+        if length == 0.0 {
+            return;
+        }
+        let (longest, limit) = if free_end {
+            (&mut self.held.max_free_end, self.rules.free_end_limit)
+        } else {
+            (&mut self.held.max_span, self.rules.span_limit)
+        };
+        *longest = longest.max(length);
+        if length > limit {
+            let (line, from) = (self.deposit.lines[strand], self.support);
+            self.held.spans_over.push(Span { line, from, to, length, free_end });
+        }
+        self.relax(strand, self.support, to);
+    }
+
+    fn relax(&mut self, strand: usize, from: DVec3, to: DVec3) {
+        if from != to {
+            self.held.relaxed.push(Relaxed { ends: [from, to], strand: strand as u32 });
+        }
+    }
+}
+
+/// Whether a strand laid after strand `last` comes into contact with a point.
+fn met_later(last: u32, at: DVec3, deposit: &Deposit, rules: &Rules) -> bool {
+    let radius = contact::touch(rules);
+    deposit.grid.any_later(at, radius, last, at.z + radius, |other| {
+        contact::within([at, at], deposit.strands[other as usize], radius).is_some()
+    })
+}
