@@ -1,3 +1,5 @@
+"""The extension module: what the Rust core offers to Python."""
+
 import os
 from typing import ClassVar, TypeAlias, final
 

@@ -1,0 +1,212 @@
+"""Settings from profiles, files and single keys, with errors that name key, file and line."""
+
+from __future__ import annotations
+
+import difflib
+import re
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
+
+from pydantic import BaseModel, ValidationError
+
+from wireprint import catalogue
+from wireprint._core import SettingError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+Model = TypeVar("Model", bound=BaseModel)
+Key: TypeAlias = tuple[str, ...]
+Origins: TypeAlias = dict[Key, str]
+
+
+def compose(
+    model: type[Model],
+    printer: str,
+    material: str,
+    load: Iterable[str | Path],
+    overrides: Iterable[str],
+) -> Model:
+    """Merge the layers from left to right and validate the result."""
+    values: dict[str, Any] = {}
+    origins: Origins = {}
+    _add_file(values, origins, catalogue.find("printers", printer), ("printer",))
+    _add_file(values, origins, catalogue.find("materials", material), ("material",))
+    for path in load:
+        _add_loaded(model, values, origins, Path(path))
+    for override in overrides:
+        _add_override(model, values, origins, override)
+    return validate(model, values, origins)
+
+
+def validate(model: type[Model], values: Mapping[str, Any], origins: Origins) -> Model:
+    """Validate a mapping; the first fault becomes a `SettingError`."""
+    try:
+        return model.model_validate(values)
+    except ValidationError as error:
+        faults = error.errors(include_url=False)
+        key = tuple(str(part) for part in faults[0]["loc"])
+        more = f" (and {len(faults) - 1} more)" if len(faults) > 1 else ""
+        if faults[0]["type"] == "extra_forbidden":
+            what = f"unknown key{_suggestion(model, key)}"
+        else:
+            what = faults[0]["msg"].removeprefix("Value error, ")
+            what = what[:1].lower() + what[1:]
+        msg = f"{_place(origins, key)}{_shown(model, key)}{what}{more}"
+        raise SettingError(msg) from None
+
+
+def _add_file(values: dict[str, Any], origins: Origins, path: Path, prefix: Key) -> None:
+    text, table = _read(path)
+    _merge(values, _nest(prefix, table))
+    for key, line in _lines_of_keys(text):
+        origins[prefix + key] = f"{path.name}:{line}: "
+
+
+def _add_loaded(
+    model: type[BaseModel], values: dict[str, Any], origins: Origins, path: Path
+) -> None:
+    text, table = _read(path)
+    lines = dict(_lines_of_keys(text))
+    for name, value in table.items():
+        place = f"{path.name}:{lines.get((name,), 1)}: "
+        key = _anchor(model, (name,), place)
+        _merge(values, _nest(key, value))
+    for key, line in lines.items():
+        place = f"{path.name}:{line}: "
+        origins[_anchor(model, key, place)] = place
+
+
+def _add_override(
+    model: type[BaseModel], values: dict[str, Any], origins: Origins, override: str
+) -> None:
+    name, equals, text = override.partition("=")
+    place = f"--set {override}: "
+    if not equals or not name.strip():
+        msg = f"{place}expected key=value"
+        raise SettingError(msg)
+    key = _anchor(model, tuple(name.strip().split(".")), place)
+    _merge(values, _nest(key, _value(text.strip())))
+    origins[key] = place
+
+
+def _read(path: Path) -> tuple[str, dict[str, Any]]:
+    try:
+        text = path.read_text(encoding="utf-8")
+        return text, tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        msg = f"{path.name}: not TOML: {error}"
+    except UnicodeDecodeError:
+        msg = f"{path.name}: not UTF-8 text"
+    except OSError as error:
+        msg = f"{path}: {error.strerror}"
+    raise SettingError(msg)
+
+
+def _value(text: str) -> Any:
+    """Return a value as TOML reads it; a bare word is a string."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+
+
+def _anchor(model: type[BaseModel], key: Key, place: str) -> Key:
+    """Full key from the top of the settings: a printer's tables may stand without ``printer.``."""
+    fields = model.model_fields
+    if key[0] in fields:
+        return key
+    printer = _model_in(fields["printer"].annotation)
+    if printer is not None and key[0] in printer.model_fields:
+        return ("printer", *key)
+    full = [path for path in _leaves(model) if path[-len(key) :] == key]
+    if len(full) == 1:
+        return full[0]
+    shown = ".".join(key)
+    if full:
+        candidates = " or ".join(_dotted(model, path) for path in full)
+        msg = f"{place}{shown} is ambiguous: {candidates}?"
+    else:
+        msg = f"{place}unknown key {shown}{_suggestion(model, key)}"
+    raise SettingError(msg)
+
+
+def _leaves(model: type[BaseModel], prefix: Key = ()) -> list[Key]:
+    keys: list[Key] = []
+    for name, field in model.model_fields.items():
+        below = _model_in(field.annotation)
+        keys += [(*prefix, name)] if below is None else _leaves(below, (*prefix, name))
+    return keys
+
+
+def _model_in(annotation: Any) -> type[BaseModel] | None:
+    """Return the model of an annotation ``M`` or ``M | None``."""
+    for candidate in (annotation, *get_args(annotation)):
+        if isinstance(candidate, type) and issubclass(candidate, BaseModel):
+            return candidate
+    return None
+
+
+def _suggestion(model: type[BaseModel], key: Key) -> str:
+    """Keys that look like this one: first among all full keys, then by the last part alone."""
+    leaves = {_dotted(model, path): path for path in _leaves(model)}
+    close = difflib.get_close_matches(_dotted(model, key), leaves, n=2, cutoff=0.75)
+    if not close:
+        tails = {path[-1]: dotted for dotted, path in leaves.items()}
+        close = [tails[name] for name in difflib.get_close_matches(key[-1], tails, n=2)]
+    return f"; did you mean {' or '.join(close)}?" if close else ""
+
+
+def _shown(model: type[BaseModel], key: Key) -> str:
+    return f"{_dotted(model, key)}: " if key else ""
+
+
+def _dotted(model: type[BaseModel], key: Key) -> str:
+    """Return the key as a user writes it, without the ``printer.`` that may be left out."""
+    may_leave_out = len(key) > 1 and key[0] == "printer" and "printer" in model.model_fields
+    return ".".join(key[1:] if may_leave_out else key)
+
+
+def _place(origins: Origins, key: Key) -> str:
+    """Where the key, or else the innermost table around it, was given."""
+    for length in range(len(key), 0, -1):
+        if key[:length] in origins:
+            return origins[key[:length]]
+    return ""
+
+
+def _nest(key: Key, value: Any) -> dict[str, Any]:
+    for part in reversed(key):
+        value = {part: value}
+    nested: dict[str, Any] = value
+    return nested
+
+
+def _merge(into: dict[str, Any], layer: Mapping[str, Any]) -> None:
+    for name, value in layer.items():
+        below = into.get(name)
+        if isinstance(below, dict) and isinstance(value, dict):
+            _merge(below, value)
+        else:
+            into[name] = value
+
+
+_TABLE = re.compile(r"\s*\[\s*([\w.\-]+)\s*\]")
+_ENTRY = re.compile(r"\s*([\w.\-]+)\s*=")
+
+
+def _lines_of_keys(text: str) -> Iterable[tuple[Key, int]]:
+    """Yield each table and entry with its line number, which `tomllib` does not tell."""
+    table: Key = ()
+    quotes = ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not quotes:
+            if head := _TABLE.match(line):
+                table = tuple(head[1].split("."))
+                yield table, number
+            elif entry := _ENTRY.match(line):
+                yield (*table, *entry[1].split(".")), number
+        for mark in ('"""', "'''"):
+            if quotes in ("", mark) and line.count(mark) % 2:
+                quotes = "" if quotes else mark

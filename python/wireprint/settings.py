@@ -1,0 +1,408 @@
+"""Every knob of wireprint: its unit, its bounds, its default and where the default comes from.
+
+Units stand in the names: ``_mm``, ``_mm_s``, ``_mm3_s``, ``_s``, ``_c``, ``_deg``. The one
+exception is ``[motion]``, which keeps the names that Klipper and ``--limits`` files use
+(mm, mm/s and mm/s² throughout).
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+Positive = Annotated[float, Field(gt=0)]
+NotNegative = Annotated[float, Field(ge=0)]
+Millimetres = Annotated[float, Field(gt=0, le=2000)]
+PerAxis = Annotated[tuple[Positive, Positive, Positive, Positive], Field(description="X, Y, Z, E")]
+
+CoolingMethod = Literal["valve", "fan", "none"]
+Flavor = Literal["marlin", "reprapfirmware", "repetier", "klipper"]
+
+
+class Section(BaseModel):
+    """A group of settings: immutable, and no key passes that it does not know."""
+
+    # A group's own validator is built only if it is used by itself: half the time at start.
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
+
+
+class Bed(Section):
+    """The build volume."""
+
+    shape: Literal["round", "rectangular"]
+    diameter_mm: Millimetres | None = Field(None, description="of a round bed")
+    width_mm: Millimetres | None = Field(None, description="of a rectangular bed, along x")
+    depth_mm: Millimetres | None = Field(None, description="of a rectangular bed, along y")
+    height_mm: Millimetres = Field(description="greatest z of the tip")
+    origin: Literal["centre", "corner"] = Field(description="where x = y = 0 lies")
+
+    @model_validator(mode="after")
+    def _has_the_sizes_of_its_shape(self) -> Self:
+        given = {
+            name
+            for name in ("diameter_mm", "width_mm", "depth_mm")
+            if getattr(self, name) is not None
+        }
+        wanted = {"diameter_mm"} if self.shape == "round" else {"width_mm", "depth_mm"}
+        if given != wanted:
+            msg = f"a {self.shape} bed has {' and '.join(sorted(wanted))}"
+            raise ValueError(msg)
+        return self
+
+    @property
+    def size_mm(self) -> tuple[float, float]:
+        """Extent along x and y, mm."""
+        if self.diameter_mm is not None:
+            return self.diameter_mm, self.diameter_mm
+        return self.width_mm or 0.0, self.depth_mm or 0.0
+
+    @property
+    def centre_mm(self) -> tuple[float, float]:
+        """The bed's centre in the machine's coordinates, mm."""
+        if self.origin == "centre":
+            return 0.0, 0.0
+        width, depth = self.size_mm
+        return width / 2, depth / 2
+
+
+class Head(Section):
+    """The nozzle and everything above it, as a body of revolution that opens upwards."""
+
+    nozzle_mm: float = Field(gt=0, le=5, description="diameter of the opening")
+    tip_radius_mm: float = Field(gt=0, le=10, description="radius of the flat tip")
+    slant_deg: float = Field(
+        ge=5, le=85, description="the flank's angle from the horizontal; the steepest descent"
+    )
+    cone_height_mm: float = Field(
+        gt=0, le=100, description="height above the tip at which the heater block begins"
+    )
+    block_radius_mm: float = Field(gt=0, le=200, description="reach of heater block and fan ducts")
+    carriage_height_mm: float = Field(
+        gt=0, le=300, description="height above the tip at which the carriage begins"
+    )
+    carriage_radius_mm: float = Field(gt=0, le=500, description="reach of the carriage")
+
+    @model_validator(mode="after")
+    def _opens_upwards(self) -> Self:
+        if self.tip_radius_mm < self.nozzle_mm / 2:
+            raise ValueError("tip_radius_mm is smaller than half of nozzle_mm")
+        if self.carriage_height_mm < self.cone_height_mm:
+            raise ValueError("carriage_height_mm lies below cone_height_mm")
+        if not self.tip_radius_mm <= self.block_radius_mm <= self.carriage_radius_mm:
+            raise ValueError("a head widens upwards: tip, then block, then carriage")
+        return self
+
+
+class Marlin(Section):
+    """Limits as Marlin, Repetier and RepRapFirmware keep them, per axis."""
+
+    max_velocity: PerAxis = Field(description="M203, mm/s: X, Y, Z, E")
+    max_accel: PerAxis = Field(description="M201, mm/s²: X, Y, Z, E")
+    print_accel: Positive = Field(description="M204 P, mm/s²")
+    travel_accel: Positive = Field(description="M204 T, mm/s²")
+    retract_accel: Positive = Field(description="M204 R, mm/s²")
+    jerk: PerAxis | None = Field(None, description="M205 X Y Z E, mm/s; None: junction deviation")
+    junction_deviation: Positive = Field(0.013, description="mm; Marlin 2.1's default")
+    steps_per_mm: PerAxis | None = Field(None, description="M92: X, Y, Z, E")
+
+
+class Motion(Section):
+    """Limits of the machine under the names of Klipper (mm, mm/s, mm/s²)."""
+
+    max_velocity: Positive
+    max_accel: Positive
+    square_corner_velocity: NotNegative = Field(5.0, description="Klipper's default")
+    minimum_cruise_ratio: float = Field(0.5, ge=0, lt=1, description="Klipper's default")
+    max_z_velocity: Positive
+    max_z_accel: Positive
+    max_extrude_only_velocity: Positive
+    max_extrude_only_accel: Positive
+    instantaneous_corner_velocity: NotNegative = Field(1.0, description="Klipper's default")
+    arc_resolution: Positive = Field(1.0, description="mm; Klipper's default")
+    delta_radius: Positive | None = Field(None, description="mm; delta: effector to tower")
+    arm_length: Positive | None = Field(None, description="mm; delta: diagonal rod")
+    print_radius: Positive | None = Field(None, description="mm; delta: reach of the tip")
+    step_distance: Positive | None = Field(None, description="mm; delta: travel of one microstep")
+    endstop_height: Positive | None = Field(None, description="mm; delta: tip over bed after G28")
+    marlin: Marlin | None = Field(None, description="the same for Marlin and its relatives")
+
+
+class Extruder(Section):
+    """What feeds the filament."""
+
+    filament_diameter_mm: float = Field(ge=1, le=4)
+    retract_mm: float = Field(ge=0, le=20, description="pulled back before a travel; 0: never")
+    retract_speed_mm_s: float = Field(gt=0, le=200)
+    unretract_speed_mm_s: float = Field(gt=0, le=200)
+    max_flow_mm3_s: float = Field(gt=0, le=200, description="what the hot end melts")
+
+
+class Speeds(Section):
+    """How fast the head moves."""
+
+    print_mm_s: float = Field(
+        gt=0, le=500, description="along strands; 30 is the paper's optimum with a 1 s pause"
+    )
+    travel_mm_s: float = Field(gt=0, le=1000)
+    first_layer_mm_s: float = Field(gt=0, le=500, description="along strands that lie on the bed")
+
+
+class Cooling(Section):
+    """What solidifies a floating strand."""
+
+    method: CoolingMethod = Field(
+        description="valve: air jets switched by M42; fan: the part fan; none: a longer pause"
+    )
+    valve_pin: int | str = Field(
+        0, description="M42's pin number; under Klipper the name of an [output_pin]"
+    )
+    fan_spin_up_s: float = Field(
+        2.0, ge=0, le=30, description="time a part fan needs; too long to follow single strokes"
+    )
+
+
+class Gcode(Section):
+    """The dialect, and what comes before and after the print."""
+
+    flavor: Flavor
+    relative_extrusion: bool = Field(True, description="M83, not M82")
+    start: str = Field(description="heats and homes; may use {nozzle_c}, {bed_c}")
+    end: str = Field(description="cools and parks; may use {park_z_mm}, {travel_mm_min}")
+
+
+class Printer(Section):
+    """A machine: ``profiles/printers/*.toml``."""
+
+    name: str
+    kinematics: Literal["delta", "cartesian", "corexy"]
+    bed: Bed
+    head: Head
+    motion: Motion
+    extruder: Extruder
+    speeds: Speeds
+    cooling: Cooling
+    gcode: Gcode
+
+    @model_validator(mode="after")
+    def _a_delta_knows_its_geometry(self) -> Self:
+        motion = self.motion
+        needed = ("delta_radius", "arm_length", "print_radius", "step_distance", "endstop_height")
+        missing = [name for name in needed if getattr(motion, name) is None]
+        if self.kinematics == "delta" and missing:
+            msg = f"a delta needs motion.{missing[0]}"
+            raise ValueError(msg)
+        return self
+
+
+class HeatTransfer(Section):
+    """Heat-transfer coefficient from strand to air, W/(m²·K), by cooling method."""
+
+    none: float = Field(60.0, gt=0, le=1000, description="free convection about a 0.7 mm strand")
+    fan: float = Field(100.0, gt=0, le=1000, description="a part fan")
+    valve: float = Field(200.0, gt=0, le=1000, description="compressed air on the strand")
+
+
+class Material(Section):
+    """A filament: ``profiles/materials/*.toml``."""
+
+    name: str
+    density_g_cm3: float = Field(gt=0.5, le=10)
+    price_per_kg: float = Field(ge=0, description="in the user's currency")
+    nozzle_c: int = Field(ge=100, le=500, description="temperature of the nozzle")
+    bed_c: int = Field(ge=0, le=200, description="temperature of the bed")
+    solidify_c: float = Field(gt=0, le=400, description="temperature at which a strand holds")
+    air_c: float = Field(25.0, ge=-20, le=100, description="temperature around the print")
+    specific_heat_j_kgk: float = Field(gt=100, le=5000, description="between nozzle and solidify")
+    heat_transfer: HeatTransfer = Field(default_factory=HeatTransfer)
+
+    @model_validator(mode="after")
+    def _cools_from_nozzle_through_solidify_to_air(self) -> Self:
+        if not self.air_c < self.solidify_c < self.nozzle_c:
+            raise ValueError("solidify_c must lie between air_c and nozzle_c")
+        return self
+
+    def solidify_s(self, strand_mm: float, method: CoolingMethod) -> float:
+        """Time in which a strand cools until it holds, s.
+
+        Parameters
+        ----------
+        strand_mm
+            Diameter of the strand, mm.
+        method
+            What cools it.
+
+        Notes
+        -----
+        Lumped cooling of a cylinder: ``t = ρ·c·d/(4h)·ln((T₀ − Tₐ)/(Tₛ − Tₐ))``.
+        """
+        heat_transfer: float = getattr(self.heat_transfer, method)
+        density_kg_m3 = 1000 * self.density_g_cm3
+        strand_m = strand_mm / 1000
+        fall = (self.nozzle_c - self.air_c) / (self.solidify_c - self.air_c)
+        scale = density_kg_m3 * self.specific_heat_j_kgk * strand_m / (4 * heat_transfer)
+        return scale * math.log(fall)
+
+
+class Wire(Section):
+    """How a model becomes strands. ``None`` means: follows from the printer."""
+
+    slab_min_mm: Millimetres | None = Field(
+        None, description="lowest slab; None: 2 nozzle diameters (paper: 1.4)"
+    )
+    slab_max_mm: Millimetres | None = Field(
+        None, description="highest slab; None: the head's cone height (paper: 6)"
+    )
+    pattern: Literal["zigzag", "peaks"] = Field(
+        "zigzag", description="zigzag: contours and zigzag; peaks: the paper's figure 7c"
+    )
+    placement: Literal["optimal", "paper"] = Field(
+        "optimal", description="of posts; paper: average of even spacing and nearest points"
+    )
+    strategy: Literal["pause", "slow", "overshoot"] = Field(
+        "pause", description="against sagging strokes; the paper found pause the fastest"
+    )
+    pause_s: float | None = Field(
+        None, ge=0, le=60, description="at the end of a floating stroke; None: by the material"
+    )
+    slow_mm_s: float = Field(
+        5.0, gt=0, le=100, description="floating strokes under slow; CuraEngine's wire speed"
+    )
+    overshoot_mm: float = Field(
+        0.5, ge=0, le=5, description="over-travel under overshoot; CuraEngine's fall-down"
+    )
+    first_layer_height_mm: float | None = Field(
+        None, gt=0, le=5, description="tip over bed; None: half a nozzle, which squeezes a strand"
+    )
+    layer_height_mm: float | None = Field(
+        None, gt=0, le=5, description="in layer-wise regions; None: the nozzle (paper: 0.7)"
+    )
+    brim_rings: int = Field(0, ge=0, le=50, description="flat rings about the first contours")
+    skirt_rings: int = Field(1, ge=0, le=20, description="prime the nozzle; CuraEngine's default")
+    skirt_gap_mm: float = Field(3.0, ge=0, le=50, description="CuraEngine's default")
+    prime_mm: float = Field(
+        5.0, ge=0, le=100, description="filament fed where the print starts; fills the nozzle"
+    )
+    travel_lift_mm: float = Field(
+        1.0, ge=0, le=50, description="by which a travel clears what stands; two strands' worth"
+    )
+    span_limit_mm: float = Field(
+        65.0, gt=0, le=500, description="longest stretch held at both ends; the paper's 6.5 cm"
+    )
+    free_end_limit_mm: float = Field(
+        20.0, gt=0, le=200, description="longest stretch held at one end; estimated"
+    )
+    caps: bool = Field(True, description="close flat faces; off: the paper's open look")
+    supports: Literal["wire", "none"] = Field("wire", description="under what would hang in air")
+    coverage_within_mm: float = Field(
+        4.0, gt=0, le=50, description="surface this near to a strand counts as covered"
+    )
+
+
+class Settings(Section):
+    """One printer, one material, one way of wiring.
+
+    Examples
+    --------
+    >>> settings = Settings.load(material="abs", overrides=["head.slant_deg=40"])
+    >>> settings.printer.head.slant_deg
+    40.0
+    >>> round(settings.pause_s, 1)
+    1.0
+    """
+
+    printer: Printer
+    material: Material
+    wire: Wire = Field(default_factory=Wire)
+
+    @model_validator(mode="after")
+    def _slabs_have_a_range(self) -> Self:
+        if self.slab_min_mm > self.slab_max_mm:
+            msg = (
+                f"wire.slab_min_mm ({self.slab_min_mm:g}) exceeds "
+                f"wire.slab_max_mm ({self.slab_max_mm:g})"
+            )
+            raise ValueError(msg)
+        if self.slab_max_mm > self.printer.head.cone_height_mm:
+            msg = (
+                f"wire.slab_max_mm ({self.slab_max_mm:g}) exceeds "
+                f"head.cone_height_mm ({self.printer.head.cone_height_mm:g}): "
+                "the heater block would hit the posts"
+            )
+            raise ValueError(msg)
+        return self
+
+    @property
+    def slab_min_mm(self) -> float:
+        """Lowest slab, mm."""
+        return self.wire.slab_min_mm or min(
+            2 * self.printer.head.nozzle_mm, self.printer.head.cone_height_mm
+        )
+
+    @property
+    def slab_max_mm(self) -> float:
+        """Highest slab, mm."""
+        return self.wire.slab_max_mm or self.printer.head.cone_height_mm
+
+    @property
+    def first_layer_height_mm(self) -> float:
+        """Height of the tip over the bed where strands lie on it, mm."""
+        return self.wire.first_layer_height_mm or self.printer.head.nozzle_mm / 2
+
+    @property
+    def layer_height_mm(self) -> float:
+        """Height of the layers in layer-wise regions, mm."""
+        return self.wire.layer_height_mm or self.printer.head.nozzle_mm
+
+    @property
+    def pause_s(self) -> float:
+        """Pause at the end of a floating stroke, s."""
+        if self.wire.pause_s is not None:
+            return self.wire.pause_s
+        return self.material.solidify_s(self.printer.head.nozzle_mm, self.printer.cooling.method)
+
+    @classmethod
+    def load(
+        cls,
+        printer: str = "kossel-mini",
+        material: str = "abs",
+        load: Iterable[str | Path] = (),
+        overrides: Iterable[str] = (),
+    ) -> Self:
+        """Compose settings from profiles, files and single keys; later ones win.
+
+        Parameters
+        ----------
+        printer, material
+            Name of a profile that comes with the package, or path of a TOML file.
+        load
+            TOML files with any of the tables ``[bed]`` … ``[gcode]``, ``[material]``, ``[wire]``.
+        overrides
+            ``key=value`` with a dotted key, such as ``head.slant_deg=40``.
+
+        Raises
+        ------
+        SettingError
+            Where a profile, key or value is wrong; it names key, file and line.
+        """
+        from wireprint import _compose
+
+        return _compose.compose(cls, printer, material, load, overrides)
+
+    @classmethod
+    def from_mapping(cls, values: Mapping[str, Any]) -> Self:
+        """Validate a mapping of the form that ``model_dump`` gives.
+
+        Raises
+        ------
+        SettingError
+            Where a key or value is wrong.
+        """
+        from wireprint import _compose
+
+        return _compose.validate(cls, values, {})
