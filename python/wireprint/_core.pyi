@@ -6,6 +6,17 @@ from typing import ClassVar, TypeAlias, final
 import numpy as np
 import numpy.typing as npt
 
+__all__ = [
+    "GcodeError",
+    "Mesh",
+    "ModelError",
+    "Scene",
+    "SettingError",
+    "UnprintableError",
+    "WireprintError",
+    "__version__",
+]
+
 __version__: str
 
 class WireprintError(ValueError):
