@@ -1,6 +1,23 @@
 //! Stage 3, contours: loops of a slice with their nesting.
 
+mod nesting;
+pub mod polygon;
+mod sweep;
+mod union;
+
 use glam::DVec2;
+
+pub use nesting::contours;
+pub use union::union;
+
+use crate::mesh::Mesh;
+use crate::slices::{Plane, cut_map};
+
+/// Cuts the mesh at every plane and nests each slice's loops: [`contours`] of [`cut_map`].
+#[must_use]
+pub fn sliced(mesh: &Mesh, planes: &[Plane], min_length: f64) -> Vec<Vec<Contour>> {
+    cut_map(mesh, planes, |loops| contours(loops, min_length))
+}
 
 /// One contour of a slice.
 #[derive(Debug, Clone, Default)]

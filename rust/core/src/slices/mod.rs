@@ -1,9 +1,16 @@
 //! Stage 2, slices: where to cut, and the cut itself.
 
+mod cut;
+mod ranks;
+
 use glam::DVec2;
 
+pub use cut::{cut, cut_map};
+
 /// Which limit of the surface a plane takes where vertices or whole faces lie in it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+///
+/// The variants are in the order in which a sweep upwards meets the two planes at one height.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Side {
     /// The limit from below: a vertex in the plane counts as just above it.
     Below,
@@ -11,7 +18,7 @@ pub enum Side {
     Above,
 }
 
-/// One cutting plane.
+/// One cutting plane, horizontal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
     /// Height, mm.

@@ -1,5 +1,7 @@
 //! Stage 4, the wireframe: strips, posts, strands.
 
+pub mod strips;
+
 use glam::DVec3;
 
 /// What a strand is for; the discriminants are the codes of every `kind` array.

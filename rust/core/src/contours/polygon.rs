@@ -1,0 +1,30 @@
+//! Area, length and orientation of a ring of points.
+
+use glam::DVec2;
+
+/// Signed area of a closed ring, mm²: positive counter-clockwise (shoelace formula, taken about
+/// the first point so that no digits are lost far from the origin).
+#[must_use]
+pub fn signed_area(points: &[DVec2]) -> f64 {
+    let Some(&origin) = points.first() else { return 0.0 };
+    let twice: f64 =
+        points.windows(2).map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum();
+    twice / 2.0
+}
+
+/// Length of a polyline, mm; with the segment back to the first point if it is closed.
+#[must_use]
+pub fn length(points: &[DVec2], closed: bool) -> f64 {
+    let along: f64 = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) if closed => along + last.distance(*first),
+        _ => along,
+    }
+}
+
+/// Twice the signed area of the triangle `a`, `b`, `c`: positive where `c` lies left of `a → b`.
+///
+/// Exactly zero where `c` equals `a` or `b`.
+pub(super) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (a - c).perp_dot(b - c)
+}

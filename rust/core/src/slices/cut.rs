@@ -1,0 +1,305 @@
+//! The cut: planes through a mesh, linked through shared edges.
+//!
+//! Planes are sorted once and handled in bands of at most [`BAND`] neighbours, one band a task.
+//! A band's faces are listed once; each keeps a bit for every plane of the band that still has
+//! to pass through it, and following a loop from face to face clears the bits. All decisions
+//! are made on the vertices' ranks, whole numbers, so the topology is exact.
+
+use std::sync::{Mutex, PoisonError};
+
+use glam::DVec2;
+use rayon::prelude::*;
+
+use super::ranks::Ladder;
+use super::{Loop, Plane};
+use crate::mesh::{Mesh, NO_FACE};
+
+/// Planes in a band: the bits of a face's mask.
+const BAND: usize = 32;
+/// Bands per thread, so that uneven ones still fill all threads.
+const BANDS_PER_THREAD: usize = 4;
+/// Faces per task when they are sorted into bands.
+const FACES_PER_TASK: usize = 1 << 14;
+
+/// Cuts the mesh at every plane: one list of loops a plane, in the order of `planes`.
+///
+/// Planes may come in any order and repeat. Segments are linked by the mesh's edges alone, so a
+/// closed mesh gives closed loops at any height; see [`Side`](super::Side) for vertices in a plane.
+/// Loops are ordered by the smallest face they pass through, and start there. Repeated points
+/// are dropped: a loop around a vertex in the plane may shrink to a single point.
+/// An open chain without length is left out.
+#[must_use]
+pub fn cut(mesh: &Mesh, planes: &[Plane]) -> Vec<Vec<Loop>> {
+    cut_map(mesh, planes, |loops| loops)
+}
+
+/// Like [`cut`], with `each` applied to every plane's loops while they are still in the cache.
+pub fn cut_map<T, F>(mesh: &Mesh, planes: &[Plane], each: F) -> Vec<T>
+where
+    T: Clone + Send,
+    F: Fn(Vec<Loop>) -> T + Sync,
+{
+    let ladder = Ladder::new(planes);
+    let ranks = ladder.ranks(&mesh.vertices);
+    let wanted = ladder.planes.len().div_ceil(BANDS_PER_THREAD * rayon::current_num_threads());
+    let width = wanted.clamp(1, BAND);
+    let lists = faces_by_band(mesh, &ranks, width, ladder.planes.len().div_ceil(width));
+    let masks = Masks::new(mesh.faces.len());
+    let bands: Vec<Vec<T>> = ladder
+        .planes
+        .par_chunks(width)
+        .enumerate()
+        .with_max_len(1)
+        .map(|(index, planes)| {
+            let mut pending = masks.take();
+            let mut band = Band { mesh, ranks: &ranks, planes, base: (index * width) as u32 };
+            let faces = lists.iter().flat_map(|list| list[index].iter().copied());
+            let loops = band.loops(faces, &mut pending);
+            masks.put_back(pending);
+            loops.into_iter().map(&each).collect()
+        })
+        .collect();
+    spread(bands.into_iter().flatten().collect(), &ladder.position)
+}
+
+/// Hands each asked plane its result; only a plane asked for twice costs a copy.
+fn spread<T: Clone>(distinct: Vec<T>, position: &[u32]) -> Vec<T> {
+    let in_order = position.iter().enumerate().all(|(i, &p)| i == p as usize);
+    if in_order {
+        return distinct;
+    }
+    let mut uses = vec![0_u32; distinct.len()];
+    for &p in position {
+        uses[p as usize] += 1;
+    }
+    let mut distinct: Vec<Option<T>> = distinct.into_iter().map(Some).collect();
+    let mut take = |p: usize| {
+        uses[p] -= 1;
+        if uses[p] == 0 { distinct[p].take() } else { distinct[p].clone() }
+    };
+    position.iter().filter_map(|&p| take(p as usize)).collect()
+}
+
+/// For each task's share of the faces, the faces of each band, ascending.
+fn faces_by_band(mesh: &Mesh, ranks: &[u32], width: usize, bands: usize) -> Vec<Vec<Vec<u32>>> {
+    mesh.faces
+        .par_chunks(FACES_PER_TASK)
+        .enumerate()
+        .map(|(chunk, faces)| {
+            let mut lists = vec![Vec::new(); bands];
+            for (face, corners) in (chunk * FACES_PER_TASK..).zip(faces) {
+                let (low, high) = span(corners, ranks);
+                if low < high {
+                    let (first, last) = (low as usize / width, (high as usize - 1) / width);
+                    lists[first..=last].iter_mut().for_each(|list| list.push(face as u32));
+                }
+            }
+            lists
+        })
+        .collect()
+}
+
+/// The planes `low..high` pass through a face with these corners.
+fn span(corners: &[u32; 3], ranks: &[u32]) -> (u32, u32) {
+    let [a, b, c] = corners.map(|vertex| ranks[vertex as usize]);
+    (a.min(b).min(c), a.max(b).max(c))
+}
+
+/// Masks over all faces, zero when not in use, handed from task to task.
+struct Masks {
+    idle: Mutex<Vec<Vec<u32>>>,
+    faces: usize,
+}
+
+impl Masks {
+    fn new(faces: usize) -> Self {
+        Self { idle: Mutex::new(Vec::new()), faces }
+    }
+
+    fn take(&self) -> Vec<u32> {
+        let idle = self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        idle.unwrap_or_else(|| vec![0; self.faces])
+    }
+
+    fn put_back(&self, mask: Vec<u32>) {
+        self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(mask);
+    }
+}
+
+/// Neighbouring planes that are cut by one task.
+struct Band<'a> {
+    mesh: &'a Mesh,
+    ranks: &'a [u32],
+    planes: &'a [Plane],
+    /// Rank of the first plane.
+    base: u32,
+}
+
+/// An edge that the plane crosses, by the vertices it joins: the pair is the same from both faces.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Crossing {
+    above: u32,
+    below: u32,
+}
+
+impl Band<'_> {
+    /// The loops of each plane. `pending` is all zero before and after.
+    fn loops(
+        &mut self,
+        faces: impl Iterator<Item = u32> + Clone,
+        pending: &mut [u32],
+    ) -> Vec<Vec<Loop>> {
+        for face in faces.clone() {
+            pending[face as usize] = self.mask(face);
+        }
+        let mut slices = vec![Vec::new(); self.planes.len()];
+        let mut chain = Chain::default();
+        for start in faces {
+            while pending[start as usize] != 0 {
+                let plane = pending[start as usize].trailing_zeros();
+                slices[plane as usize].extend(self.follow(start, plane, pending, &mut chain));
+            }
+        }
+        slices
+    }
+
+    /// A bit for each plane of the band that passes through the face.
+    fn mask(&self, face: u32) -> u32 {
+        let (low, high) = span(&self.mesh.faces[face as usize], self.ranks);
+        let width = self.planes.len() as u32;
+        let bit = |rank: u32| 1_u64 << rank.saturating_sub(self.base).min(width);
+        (bit(high) - bit(low)) as u32
+    }
+
+    /// The loop of one plane that passes through `start`; clears its bits in `pending`.
+    fn follow(
+        &self,
+        start: u32,
+        plane: u32,
+        pending: &mut [u32],
+        chain: &mut Chain,
+    ) -> Option<Loop> {
+        let (entry, exit, next) = self.enter_first(start, plane);
+        let bit = 1_u32 << plane;
+        pending[start as usize] &= !bit;
+        chain.begin(self.point(entry, plane));
+        chain.push(start, self.point(exit, plane));
+        let end = self.walk(exit, next, plane, pending, chain);
+        if end == (start, entry) {
+            return Some(chain.closed(start));
+        }
+        let mut front = Chain::default();
+        front.begin(self.point(entry, plane));
+        let behind = self.across(start, entry);
+        self.walk(entry, behind, plane, pending, &mut front);
+        chain.open_with(front)
+    }
+
+    /// Follows the plane from face to face until a border or a face already passed.
+    /// Gives that face and the edge by which it would be entered.
+    fn walk(
+        &self,
+        mut edge: Crossing,
+        mut face: u32,
+        plane: u32,
+        pending: &mut [u32],
+        chain: &mut Chain,
+    ) -> (u32, Crossing) {
+        let bit = 1_u32 << plane;
+        while face != NO_FACE && pending[face as usize] & bit != 0 {
+            pending[face as usize] &= !bit;
+            let (exit, next) = self.pass(face, edge, plane);
+            chain.push(face, self.point(exit, plane));
+            (edge, face) = (exit, next);
+        }
+        (face, edge)
+    }
+
+    /// The edge by which the plane leaves a face entered by `entry`, and the face beyond it.
+    fn pass(&self, face: u32, entry: Crossing, plane: u32) -> (Crossing, u32) {
+        let corners = &self.mesh.faces[face as usize];
+        let apex = corners.iter().position(|&v| v != entry.above && v != entry.below).unwrap_or(0);
+        let third = corners[apex];
+        let exit = if self.ranks[third as usize] > self.base + plane {
+            Crossing { above: third, below: entry.below }
+        } else {
+            Crossing { above: entry.above, below: third }
+        };
+        let following = corners[(apex + 1) % 3];
+        // The edge from the apex to the next corner, or the one from the last corner to the apex.
+        let kept = if exit.above == third { exit.below } else { exit.above };
+        let side = if following == kept { apex } else { (apex + 2) % 3 };
+        (exit, self.mesh.neighbours[face as usize][side])
+    }
+
+    /// Entry, exit and next face for a loop's first face, with the solid on the left: the plane
+    /// enters by the edge that leads down, seen counter-clockwise from outside.
+    fn enter_first(&self, face: u32, plane: u32) -> (Crossing, Crossing, u32) {
+        let corners = self.mesh.faces[face as usize];
+        let above = corners.map(|vertex| self.ranks[vertex as usize] > self.base + plane);
+        let down = (0..3).find(|&i| above[i] && !above[(i + 1) % 3]).unwrap_or(0);
+        let entry = Crossing { above: corners[down], below: corners[(down + 1) % 3] };
+        let (exit, next) = self.pass(face, entry, plane);
+        (entry, exit, next)
+    }
+
+    /// The face beyond an edge of `face`.
+    fn across(&self, face: u32, edge: Crossing) -> u32 {
+        let corners = &self.mesh.faces[face as usize];
+        let apex = corners.iter().position(|&v| v != edge.above && v != edge.below).unwrap_or(0);
+        self.mesh.neighbours[face as usize][(apex + 1) % 3]
+    }
+
+    /// Where an edge meets the plane: exact at both ends and on upright edges.
+    fn point(&self, edge: Crossing, plane: u32) -> DVec2 {
+        let above = self.mesh.vertices[edge.above as usize];
+        let below = self.mesh.vertices[edge.below as usize];
+        let z = self.planes[plane as usize].z;
+        if z >= above.z {
+            return above.truncate();
+        }
+        let t = (z - below.z) / (above.z - below.z);
+        below.truncate() + (above.truncate() - below.truncate()) * t
+    }
+}
+
+/// A polyline in the making; its buffers are reused from loop to loop.
+#[derive(Default)]
+struct Chain {
+    points: Vec<DVec2>,
+    faces: Vec<u32>,
+}
+
+impl Chain {
+    fn begin(&mut self, point: DVec2) {
+        self.points.clear();
+        self.faces.clear();
+        self.points.push(point);
+    }
+
+    /// Adds the segment through `face` to `point`, unless it has no length.
+    fn push(&mut self, face: u32, point: DVec2) {
+        if self.points.last() != Some(&point) {
+            self.points.push(point);
+            self.faces.push(face);
+        }
+    }
+
+    /// The closed loop; the last point is the first again. A loop that is one point keeps a face.
+    fn closed(&mut self, start: u32) -> Loop {
+        if self.faces.is_empty() {
+            self.faces.push(start);
+        } else {
+            self.points.pop();
+        }
+        Loop { points: self.points.clone(), faces: self.faces.clone(), closed: true }
+    }
+
+    /// The open polyline that `front`, followed backwards, leads into; nothing if without length.
+    fn open_with(&self, front: Self) -> Option<Loop> {
+        let points: Vec<DVec2> =
+            front.points.iter().skip(1).rev().chain(&self.points).copied().collect();
+        let faces: Vec<u32> = front.faces.iter().rev().chain(&self.faces).copied().collect();
+        (!faces.is_empty()).then_some(Loop { points, faces, closed: false })
+    }
+}

@@ -1,0 +1,314 @@
+//! Strips: connected pieces of the surface between two heights, and the contours they touch.
+//!
+//! Two faces belong together where they share an edge that reaches into the interval. Nothing
+//! is guessed from the overlap of contours.
+
+use std::sync::{Mutex, PoisonError};
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::contours::Contour;
+use crate::mesh::{Mesh, NO_FACE};
+
+/// Faces per task when they are sorted into intervals.
+const FACES_PER_TASK: usize = 1 << 14;
+
+/// A connected piece of the surface between two heights.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Strip {
+    /// Contours of the slice below that it touches, ascending.
+    pub lower: Vec<u32>,
+    /// Contours of the slice above that it touches, ascending.
+    pub upper: Vec<u32>,
+    /// Its surface area, mm².
+    pub area: f64,
+}
+
+/// An interval of heights with the contours of the slices that bound it.
+#[derive(Debug, Clone, Copy)]
+pub struct Slab<'a> {
+    /// Lower height, mm.
+    pub z_lower: f64,
+    /// Contours at the lower height.
+    pub lower: &'a [Contour],
+    /// Upper height, mm.
+    pub z_upper: f64,
+    /// Contours at the upper height.
+    pub upper: &'a [Contour],
+}
+
+/// The strips of one slab: `lower` cut at `z_lower` with `Side::Above`, `upper` at `z_upper`
+/// with `Side::Below`.
+///
+/// Ordered by the first lower contour, then the first upper one; pieces that touch no contour
+/// (closed inside the slab) come last, by their smallest face. A piece that reaches a bounding
+/// height but has no contour there, because a union or the least length swallowed it, is left out.
+#[must_use]
+pub fn strips(
+    mesh: &Mesh,
+    z_lower: f64,
+    lower: &[Contour],
+    z_upper: f64,
+    upper: &[Contour],
+) -> Vec<Strip> {
+    let slab = Slab { z_lower, lower, z_upper, upper };
+    all_strips(mesh, &[slab]).pop().unwrap_or_default()
+}
+
+/// The [`strips`] of each slab, all slabs at once: every face is visited once per slab it reaches.
+#[must_use]
+pub fn all_strips(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
+    pieces(mesh, slabs, Ends::Open)
+}
+
+/// Like [`strips`] for the surface between `z_lo` with `Side::Below` and `z_hi` with
+/// `Side::Above`, what lies exactly at these heights included: the faces in the plane are the
+/// area of a ledge of no height.
+#[must_use]
+pub fn ledges(
+    mesh: &Mesh,
+    z_lo: f64,
+    below: &[Contour],
+    z_hi: f64,
+    above: &[Contour],
+) -> Vec<Strip> {
+    let slab = Slab { z_lower: z_lo, lower: below, z_upper: z_hi, upper: above };
+    all_ledges(mesh, &[slab]).pop().unwrap_or_default()
+}
+
+/// The [`ledges`] of each slab, all at once.
+#[must_use]
+pub fn all_ledges(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
+    pieces(mesh, slabs, Ends::Closed)
+}
+
+/// Whether an interval of heights holds its ends.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Ends {
+    Open,
+    Closed,
+}
+
+/// An interval of heights, mm.
+#[derive(Clone, Copy)]
+struct Interval {
+    low: f64,
+    high: f64,
+    ends: Ends,
+}
+
+impl Interval {
+    /// Whether something between the heights `low` and `high` reaches into the interval.
+    fn meets(&self, low: f64, high: f64) -> bool {
+        match self.ends {
+            Ends::Open => low < self.high && high > self.low,
+            Ends::Closed => low <= self.high && high >= self.low,
+        }
+    }
+
+    /// Whether something that meets the interval goes on beyond one of its ends.
+    fn is_left_by(&self, low: f64, high: f64) -> bool {
+        match self.ends {
+            Ends::Open => low <= self.low || high >= self.high,
+            Ends::Closed => low < self.low || high > self.high,
+        }
+    }
+}
+
+fn pieces(mesh: &Mesh, slabs: &[Slab], ends: Ends) -> Vec<Vec<Strip>> {
+    let interval = |slab: &Slab| Interval { low: slab.z_lower, high: slab.z_upper, ends };
+    let intervals: Vec<Interval> = slabs.iter().map(interval).collect();
+    let lists = faces_by_interval(mesh, &intervals);
+    let idle = Mutex::new(Vec::new());
+    slabs
+        .par_iter()
+        .enumerate()
+        .with_max_len(1)
+        .map(|(index, slab)| {
+            let spare = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let mut local = spare.unwrap_or_else(|| vec![NO_FACE; mesh.faces.len()]);
+            let faces: Vec<u32> =
+                lists.iter().flat_map(|list| list[index].iter().copied()).collect();
+            let strips = Surface::new(mesh, intervals[index], &faces, &mut local).strips(slab);
+            faces.iter().for_each(|&face| local[face as usize] = NO_FACE);
+            idle.lock().unwrap_or_else(PoisonError::into_inner).push(local);
+            strips
+        })
+        .collect()
+}
+
+/// For each task's share of the faces, the faces that meet each interval, ascending.
+fn faces_by_interval(mesh: &Mesh, intervals: &[Interval]) -> Vec<Vec<Vec<u32>>> {
+    let mut order: Vec<usize> = (0..intervals.len()).collect();
+    order.sort_by(|&i, &j| intervals[i].low.total_cmp(&intervals[j].low));
+    // Highest end so far: it only rises, so the intervals that a face may meet are a range.
+    let mut reach = f64::NEG_INFINITY;
+    let rise = |&i: &usize| {
+        reach = reach.max(intervals[i].high);
+        reach
+    };
+    let reaches: Vec<f64> = order.iter().map(rise).collect();
+    mesh.faces
+        .par_chunks(FACES_PER_TASK)
+        .enumerate()
+        .map(|(chunk, faces)| {
+            let mut lists = vec![Vec::new(); intervals.len()];
+            for (face, &corners) in (chunk * FACES_PER_TASK..).zip(faces) {
+                let (low, high) = extent(heights(mesh, corners));
+                let first = reaches.partition_point(|&end| end < low);
+                for &i in order[first..].iter().take_while(|&&i| intervals[i].low <= high) {
+                    if intervals[i].meets(low, high) {
+                        lists[i].push(face as u32);
+                    }
+                }
+            }
+            lists
+        })
+        .collect()
+}
+
+fn heights(mesh: &Mesh, corners: [u32; 3]) -> [f64; 3] {
+    corners.map(|vertex| mesh.vertices[vertex as usize].z)
+}
+
+/// The faces that meet one interval, with the piece that each belongs to.
+struct Surface<'a> {
+    mesh: &'a Mesh,
+    interval: Interval,
+    faces: &'a [u32],
+    /// For each face of the mesh, its place in `faces`, or [`NO_FACE`].
+    local: &'a [u32],
+    /// Union–find over the places in `faces`; roots are the smallest of their piece.
+    roots: Vec<u32>,
+}
+
+impl<'a> Surface<'a> {
+    fn new(mesh: &'a Mesh, interval: Interval, faces: &'a [u32], local: &'a mut [u32]) -> Self {
+        for (place, &face) in (0..).zip(faces) {
+            local[face as usize] = place;
+        }
+        let roots = (0..faces.len() as u32).collect();
+        let mut surface = Self { mesh, interval, faces, local, roots };
+        surface.unite_neighbours();
+        surface
+    }
+
+    fn unite_neighbours(&mut self) {
+        for (place, &face) in (0..).zip(self.faces) {
+            let z = heights(self.mesh, self.mesh.faces[face as usize]);
+            for (side, &beyond) in self.mesh.neighbours[face as usize].iter().enumerate() {
+                let (a, b) = (z[side], z[(side + 1) % 3]);
+                // Each shared edge is seen from both faces; once is enough.
+                if beyond < face && self.interval.meets(a.min(b), a.max(b)) {
+                    self.unite(place, self.local[beyond as usize]);
+                }
+            }
+        }
+    }
+
+    fn root(&mut self, mut place: u32) -> u32 {
+        while self.roots[place as usize] != place {
+            let above = self.roots[place as usize];
+            self.roots[place as usize] = self.roots[above as usize];
+            place = above;
+        }
+        place
+    }
+
+    fn unite(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.roots[a.max(b) as usize] = a.min(b);
+    }
+
+    /// Unites all pieces that a contour runs over; gives one of its places.
+    fn unite_contour(&mut self, contour: &Contour) -> Option<u32> {
+        let mut first = None;
+        for &face in &contour.faces {
+            let place = self.local[face as usize];
+            if place != NO_FACE {
+                self.unite(*first.get_or_insert(place), place);
+            }
+        }
+        first
+    }
+
+    fn strips(mut self, slab: &Slab) -> Vec<Strip> {
+        let mut places = |contours: &[Contour]| -> Vec<Option<u32>> {
+            contours.iter().map(|contour| self.unite_contour(contour)).collect()
+        };
+        let (lower, upper) = (places(slab.lower), places(slab.upper));
+        let mut pieces = vec![Piece::default(); self.faces.len()];
+        for (place, &face) in (0..).zip(self.faces) {
+            let corners = self.mesh.corners(face as usize);
+            let (low, high) = extent(corners.map(|corner| corner.z));
+            let piece = &mut pieces[self.root(place) as usize];
+            piece.strip.area += area_between(corners, self.interval.low, self.interval.high);
+            piece.leaves |= self.interval.is_left_by(low, high);
+        }
+        for (index, place) in (0..).zip(lower) {
+            if let Some(place) = place {
+                pieces[self.root(place) as usize].strip.lower.push(index);
+            }
+        }
+        for (index, place) in (0..).zip(upper) {
+            if let Some(place) = place {
+                pieces[self.root(place) as usize].strip.upper.push(index);
+            }
+        }
+        let mut strips: Vec<Strip> = pieces
+            .into_iter()
+            .zip(0_u32..)
+            .filter(|&(_, place)| self.roots[place as usize] == place)
+            .map(|(piece, _)| piece)
+            .filter(|piece| piece.touches() || !piece.leaves)
+            .map(|piece| piece.strip)
+            .collect();
+        let first = |list: &[u32]| list.first().copied().unwrap_or(u32::MAX);
+        strips.sort_by_key(|strip| (first(&strip.lower), first(&strip.upper)));
+        strips
+    }
+}
+
+/// A strip in the making.
+#[derive(Clone, Default)]
+struct Piece {
+    strip: Strip,
+    /// Whether its surface goes on beyond the interval.
+    leaves: bool,
+}
+
+impl Piece {
+    fn touches(&self) -> bool {
+        !(self.strip.lower.is_empty() && self.strip.upper.is_empty())
+    }
+}
+
+/// Area of the part of a triangle between two heights, mm²; all of it where it is level.
+fn area_between(corners: [DVec3; 3], low: f64, high: f64) -> f64 {
+    let [a, b, c] = corners;
+    let area = (b - a).cross(c - a).length() / 2.0;
+    let mut z = corners.map(|corner| corner.z);
+    z.sort_by(f64::total_cmp);
+    if z[0] == z[2] { area } else { area * (share_below(z, high) - share_below(z, low)) }
+}
+
+/// Share of a triangle's area below a height; its corners' heights ascend and are not all equal.
+///
+/// A level cut takes off a triangle similar to the part on its side of the middle corner.
+fn share_below([low, middle, high]: [f64; 3], z: f64) -> f64 {
+    if z <= low {
+        0.0
+    } else if z >= high {
+        1.0
+    } else if z < middle {
+        (z - low).powi(2) / ((middle - low) * (high - low))
+    } else {
+        1.0 - (high - z).powi(2) / ((high - middle) * (high - low))
+    }
+}
+
+/// Lowest and highest of three heights.
+fn extent([a, b, c]: [f64; 3]) -> (f64, f64) {
+    (a.min(b).min(c), a.max(b).max(c))
+}
