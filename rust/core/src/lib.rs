@@ -11,6 +11,7 @@ pub mod error;
 pub mod gcode;
 pub mod head;
 pub mod mesh;
+pub mod planner;
 pub mod render;
 pub mod slices;
 pub mod toolpath;

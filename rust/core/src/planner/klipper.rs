@@ -1,0 +1,370 @@
+//! Klipper's look-ahead: limits of each move, junctions, and the two passes over the queue.
+//!
+//! Suffixes: `_d` distance in mm, `_v` speed in mm/s, `_v2` squared speed. A *smoothed* speed is one
+//! that obeys the minimum cruise ratio: it accelerates only part of what the move would allow.
+
+use std::f64::consts::SQRT_2;
+
+use glam::DVec3;
+
+use super::limits::{Kinematics, Limits, set_positive};
+use super::queue::{BATCH, MOST, Sink, Tag};
+use super::trapezoid::duration;
+use crate::gcode::command::Command;
+use crate::gcode::machine::Step;
+
+/// Below this displacement a move is one of the filament alone, mm.
+const STANDING_D: f64 = 1e-9;
+
+/// Acceleration of such a move before the extruder's own limit, mm/s².
+const FILAMENT_ACCEL: f64 = 1e8;
+
+/// Ratio of a delta's carriage speed to the head's beyond which it is slowed, and the share left.
+const TAPERS: [(f64, f64); 2] = [(3.0, 0.5), (6.0, 0.25)];
+
+/// One queued move.
+#[derive(Debug, Clone, Copy)]
+struct Move {
+    length_d: f64,
+    accel: f64,
+    /// Greatest cruising speed.
+    top_v2: f64,
+    /// Greatest change of squared speed over the move.
+    delta_v2: f64,
+    /// The same under the minimum cruise ratio.
+    smoothed_delta_v2: f64,
+    /// Greatest speed at its start, as its junction allows.
+    start_v2: f64,
+    /// The same under the minimum cruise ratio.
+    smoothed_start_v2: f64,
+    tag: Tag,
+}
+
+impl Move {
+    /// Whether its start speeds stay what the junction allows whatever follows: even from a
+    /// standstill at its end they are within reach.
+    #[inline]
+    fn is_settled(&self) -> bool {
+        self.start_v2 <= self.delta_v2 && self.smoothed_start_v2 < self.smoothed_delta_v2
+    }
+
+    #[inline]
+    fn limit(&mut self, speed_v: f64, accel: f64) {
+        self.top_v2 = self.top_v2.min(speed_v * speed_v);
+        self.accel = self.accel.min(accel);
+    }
+}
+
+/// What a junction needs of the move before it.
+#[derive(Debug, Clone, Copy)]
+struct Previous {
+    item: Move,
+    /// Unit direction; `None` where only filament moved.
+    direction: Option<DVec3>,
+    /// Filament per mm of path.
+    feed_ratio: f64,
+    junction_deviation: f64,
+}
+
+/// What the forward pass gets from the backward pass.
+#[derive(Debug, Clone, Copy)]
+struct Plan {
+    start_v2: f64,
+    /// `None` where the move only continues what the one before it did.
+    cruise_v2: Option<f64>,
+    end_v2: f64,
+}
+
+/// State of the backward pass at a place of the queue.
+#[derive(Debug, Clone, Copy, Default)]
+struct Backward {
+    next_v2: f64,
+    next_smoothed_v2: f64,
+    peak_v2: f64,
+    pending: u32,
+}
+
+impl Backward {
+    /// Steps over one move towards the front.
+    #[inline]
+    fn step(&mut self, item: &Move) -> Plan {
+        let reachable_v2 = self.next_v2 + item.delta_v2;
+        let start_v2 = item.start_v2.min(reachable_v2);
+        let smoothed_reachable_v2 = self.next_smoothed_v2 + item.smoothed_delta_v2;
+        let smoothed_v2 = item.smoothed_start_v2.min(smoothed_reachable_v2);
+        self.pending += 1;
+        let mut cruise_v2 = None;
+        if smoothed_v2 < smoothed_reachable_v2 {
+            let can_slow_down = smoothed_v2 + item.smoothed_delta_v2 > self.next_smoothed_v2;
+            if can_slow_down || self.pending > 1 {
+                self.peak_v2 = (smoothed_v2 + smoothed_reachable_v2) / 2.0;
+            }
+            let meeting_v2 = (start_v2 + reachable_v2) / 2.0;
+            cruise_v2 = Some(meeting_v2.min(item.top_v2).min(self.peak_v2));
+            self.pending = 0;
+        }
+        let plan = Plan { start_v2, cruise_v2, end_v2: self.next_v2 };
+        self.next_v2 = start_v2;
+        self.next_smoothed_v2 = smoothed_v2;
+        plan
+    }
+}
+
+/// The planner.
+#[derive(Debug)]
+pub(super) struct Klipper {
+    /// As configured; a delta's tapers refer to these.
+    configured: Limits,
+    /// As M204 and `SET_VELOCITY_LIMIT` left them.
+    current: Limits,
+    /// Squared radii of a delta's tapers with their speed and acceleration, the outermost first.
+    tapers: Vec<(f64, f64, f64)>,
+    queue: Vec<Move>,
+    plans: Vec<Plan>,
+    previous: Option<Previous>,
+    /// Cruising speed of the last move that has left the queue.
+    left_cruise_v2: f64,
+}
+
+impl Klipper {
+    pub(super) fn new(limits: &Limits) -> Self {
+        let tapers = match limits.kinematics {
+            Kinematics::Delta(delta) => TAPERS
+                .iter()
+                .rev()
+                .map(|&(ratio, share)| {
+                    let radius_squared = delta.taper_radius_squared(ratio);
+                    (radius_squared, limits.max_velocity * share, limits.max_accel * share)
+                })
+                .collect(),
+            Kinematics::Cartesian | Kinematics::CoreXy => Vec::new(),
+        };
+        Self {
+            configured: *limits,
+            current: *limits,
+            tapers,
+            queue: Vec::new(),
+            plans: Vec::new(),
+            previous: None,
+            left_cruise_v2: 0.0,
+        }
+    }
+
+    /// Queues a step; moves whose speeds are certain go to `sink`.
+    #[inline]
+    pub(super) fn push(&mut self, step: &Step, tag: Tag, sink: &mut impl Sink) {
+        let displacement = step.to - step.from;
+        let head_d = displacement.length();
+        let standing = head_d < STANDING_D;
+        let length_d = if standing { step.filament.abs() } else { head_d };
+        if length_d == 0.0 {
+            return;
+        }
+        let per_mm = 1.0 / length_d;
+        let mut next = Previous {
+            item: self.limited(step, displacement, length_d, standing, tag),
+            direction: (!standing).then(|| displacement * per_mm),
+            feed_ratio: step.filament * per_mm,
+            junction_deviation: self.junction_deviation(),
+        };
+        if let Some(previous) = self.previous {
+            join(&mut next, &previous, self.current.instantaneous_corner_velocity);
+        }
+        self.cut_before(&next.item, sink);
+        self.queue.push(next.item);
+        self.previous = Some(next);
+    }
+
+    /// Plans everything queued as ending in a standstill.
+    pub(super) fn stop(&mut self, sink: &mut impl Sink) {
+        self.flush(self.queue.len(), Backward::default(), sink);
+        self.previous = None;
+        self.left_cruise_v2 = 0.0;
+    }
+
+    /// M204 and `SET_VELOCITY_LIMIT`; M201, M203 and M205 mean nothing to Klipper.
+    pub(super) fn command(&mut self, command: &Command<'_>) {
+        match command {
+            Command::M(204, words) => {
+                let both = words.get(b'P').zip(words.get(b'T')).map(|(p, t)| p.min(t));
+                set_positive(&mut self.current.max_accel, words.get(b'S').or(both));
+            }
+            Command::Named(name, words) if name.eq_ignore_ascii_case(b"SET_VELOCITY_LIMIT") => {
+                let current = &mut self.current;
+                set_positive(&mut current.max_velocity, words.named(b"VELOCITY"));
+                set_positive(&mut current.max_accel, words.named(b"ACCEL"));
+                let corner = words.named(b"SQUARE_CORNER_VELOCITY");
+                set_positive(&mut current.square_corner_velocity, corner);
+                if let Some(ratio) = words.named(b"MINIMUM_CRUISE_RATIO")
+                    && (0.0..1.0).contains(&ratio)
+                {
+                    current.minimum_cruise_ratio = ratio;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Radius of the arc that a corner is thought to be rounded by, for a right angle at the square
+    /// corner velocity, mm.
+    #[inline]
+    fn junction_deviation(&self) -> f64 {
+        let corner_v = self.current.square_corner_velocity;
+        corner_v * corner_v * (SQRT_2 - 1.0) / self.current.max_accel
+    }
+
+    /// A move under the limits of the machine, its junction still unknown.
+    #[inline]
+    fn limited(
+        &self,
+        step: &Step,
+        displacement: DVec3,
+        length_d: f64,
+        standing: bool,
+        tag: Tag,
+    ) -> Move {
+        let (speed_v, accel) = if standing {
+            (step.speed, FILAMENT_ACCEL)
+        } else {
+            (step.speed.min(self.current.max_velocity), self.current.max_accel)
+        };
+        let smoothed_accel = self.current.max_accel * (1.0 - self.current.minimum_cruise_ratio);
+        let mut item = Move {
+            length_d,
+            accel,
+            top_v2: speed_v * speed_v,
+            delta_v2: 0.0,
+            smoothed_delta_v2: 0.0,
+            start_v2: 0.0,
+            smoothed_start_v2: 0.0,
+            tag,
+        };
+        if !standing {
+            self.limit_by_kinematics(&mut item, step, displacement);
+        }
+        self.limit_by_extruder(&mut item, step, displacement, standing);
+        item.delta_v2 = 2.0 * length_d * item.accel;
+        item.smoothed_delta_v2 = (2.0 * length_d * smoothed_accel).min(item.delta_v2);
+        item
+    }
+
+    #[inline]
+    fn limit_by_kinematics(&self, item: &mut Move, step: &Step, displacement: DVec3) {
+        if displacement.z != 0.0 {
+            let ratio = item.length_d / displacement.z.abs();
+            item.limit(ratio * self.configured.max_z_velocity, ratio * self.configured.max_z_accel);
+        }
+        if !self.tapers.is_empty() {
+            let from = step.from.x * step.from.x + step.from.y * step.from.y;
+            let to = step.to.x * step.to.x + step.to.y * step.to.y;
+            let outer = from.max(to);
+            if let Some((_, speed_v, accel)) = self.tapers.iter().find(|taper| outer > taper.0) {
+                item.limit(*speed_v, *accel);
+            }
+        }
+    }
+
+    #[inline]
+    fn limit_by_extruder(&self, item: &mut Move, step: &Step, displacement: DVec3, standing: bool) {
+        let vertical = standing || (displacement.x == 0.0 && displacement.y == 0.0);
+        if (vertical && step.filament != 0.0) || step.filament < 0.0 {
+            let ratio = item.length_d / step.filament.abs();
+            item.limit(
+                ratio * self.configured.max_extrude_only_velocity,
+                ratio * self.configured.max_extrude_only_accel,
+            );
+        }
+    }
+
+    /// Plans what the arrival of `next` makes certain.
+    #[inline]
+    fn cut_before(&mut self, next: &Move, sink: &mut impl Sink) {
+        if next.start_v2 == 0.0 {
+            self.flush(self.queue.len(), Backward::default(), sink);
+        } else if self.queue.len() >= BATCH {
+            self.cut_behind_settled(next, sink);
+        }
+    }
+
+    /// Where two moves in a row are settled and the first can slow down, nothing that follows
+    /// changes the backward pass before them: the state it would have there is known already.
+    #[inline]
+    fn cut_behind_settled(&mut self, next: &Move, sink: &mut impl Sink) {
+        let Some(last) = self.queue.last() else { return };
+        let full_v2 = last.smoothed_start_v2 + last.smoothed_delta_v2;
+        if next.is_settled() && last.is_settled() && full_v2 > next.smoothed_start_v2 {
+            let reachable_v2 = next.smoothed_start_v2 + last.smoothed_delta_v2;
+            let backward = Backward {
+                next_v2: last.start_v2,
+                next_smoothed_v2: last.smoothed_start_v2,
+                peak_v2: (last.smoothed_start_v2 + reachable_v2) / 2.0,
+                pending: 0,
+            };
+            self.flush(self.queue.len() - 1, backward, sink);
+        } else if self.queue.len() >= MOST {
+            self.cut_in_half(sink);
+        }
+    }
+
+    /// Bounds memory where nothing ever settles: the front half is planned as if the queue ended
+    /// in a standstill, which is so far off that no speed depends on it.
+    #[cold]
+    fn cut_in_half(&mut self, sink: &mut impl Sink) {
+        let mut backward = Backward::default();
+        let (front, back) = self.queue.split_at_mut(MOST / 2);
+        for item in back.iter().rev() {
+            backward.step(item);
+        }
+        if let Some(first) = back.first_mut() {
+            first.start_v2 = backward.next_v2;
+            first.smoothed_start_v2 = backward.next_smoothed_v2;
+        }
+        let count = front.len();
+        self.flush(count, backward, sink);
+    }
+
+    /// Plans the first `count` moves, the state of the backward pass behind them given, and drops
+    /// them from the queue.
+    #[inline]
+    fn flush(&mut self, count: usize, mut backward: Backward, sink: &mut impl Sink) {
+        self.plans.clear();
+        self.plans.extend(self.queue.iter().take(count).rev().map(|item| backward.step(item)));
+        let mut cruise_v2 = self.left_cruise_v2;
+        for (item, plan) in self.queue.drain(..count).zip(self.plans.iter().rev()) {
+            cruise_v2 = plan.cruise_v2.unwrap_or(cruise_v2.min(plan.start_v2));
+            let (entry_v2, exit_v2) = (plan.start_v2.min(cruise_v2), plan.end_v2.min(cruise_v2));
+            sink.take(item.tag, duration(item.length_d, item.accel, entry_v2, cruise_v2, exit_v2));
+        }
+        self.left_cruise_v2 = cruise_v2;
+    }
+}
+
+/// The greatest speed at the junction of two moves; zero beside a move of the filament alone.
+#[inline]
+fn join(next: &mut Previous, previous: &Previous, corner_feed_v: f64) {
+    let (Some(direction), Some(before)) = (next.direction, previous.direction) else { return };
+    let (item, last) = (&mut next.item, &previous.item);
+    let mut start_v2 = item.top_v2.min(last.top_v2).min(last.start_v2 + last.delta_v2);
+    let feed_change = next.feed_ratio - previous.feed_ratio;
+    if feed_change != 0.0 {
+        let corner_v = corner_feed_v / feed_change;
+        start_v2 = start_v2.min(corner_v * corner_v);
+    }
+    let cosine = -direction.dot(before);
+    let half_sine = ((1.0 - cosine) / 2.0).max(0.0).sqrt();
+    let half_cosine = ((1.0 + cosine) / 2.0).max(0.0).sqrt();
+    if half_sine < 1.0 {
+        let radius_ratio = half_sine / (1.0 - half_sine);
+        start_v2 = start_v2
+            .min(radius_ratio * next.junction_deviation * item.accel)
+            .min(radius_ratio * previous.junction_deviation * last.accel);
+    }
+    if half_cosine > 0.0 {
+        // The arc must not be longer than either move allows: its centripetal limit.
+        let quarter_tangent = half_sine / (4.0 * half_cosine);
+        start_v2 =
+            start_v2.min(quarter_tangent * item.delta_v2).min(quarter_tangent * last.delta_v2);
+    }
+    item.start_v2 = start_v2;
+    item.smoothed_start_v2 = start_v2.min(last.smoothed_start_v2 + last.smoothed_delta_v2);
+}

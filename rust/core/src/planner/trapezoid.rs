@@ -1,0 +1,28 @@
+//! The time of one move.
+
+/// Time of a move of length `length_d` that enters at `√entry_v2`, cruises at `√cruise_v2` and
+/// leaves at `√exit_v2`, changing speed at `accel`, s.
+///
+/// `t = (2c − u − w)/a + (d − (2c² − u² − w²)/(2a))/c`
+#[inline]
+pub(super) fn duration(
+    length_d: f64,
+    accel: f64,
+    entry_v2: f64,
+    cruise_v2: f64,
+    exit_v2: f64,
+) -> f64 {
+    if cruise_v2 <= 0.0 {
+        return 0.0;
+    }
+    let cruise_v = cruise_v2.sqrt();
+    let changing_t = (2.0 * cruise_v - entry_v2.sqrt() - exit_v2.sqrt()) / accel;
+    let changing_d = (2.0 * cruise_v2 - entry_v2 - exit_v2) / (2.0 * accel);
+    changing_t + (length_d - changing_d) / cruise_v
+}
+
+/// Squared speed at which acceleration meets deceleration where there is no room to cruise.
+#[inline]
+pub(super) fn peak_v2(length_d: f64, accel: f64, entry_v2: f64, exit_v2: f64) -> f64 {
+    accel * length_d + (entry_v2 + exit_v2) / 2.0
+}
