@@ -1,12 +1,16 @@
 """The extension module: what the Rust core offers to Python."""
 
 import os
+from collections.abc import Sequence
 from typing import ClassVar, TypeAlias, final
 
 import numpy as np
 import numpy.typing as npt
 
+from wireprint.limits import MotionTable
+
 __all__ = [
+    "Estimate",
     "GcodeError",
     "Mesh",
     "ModelError",
@@ -15,6 +19,8 @@ __all__ = [
     "UnprintableError",
     "WireprintError",
     "__version__",
+    "estimate",
+    "estimate_files",
 ]
 
 __version__: str
@@ -98,3 +104,52 @@ class Scene:
         margins: tuple[float, float, float, float],
         ground: _Rgb | None,
     ) -> bytes: ...
+
+@final
+class Estimate:
+    @property
+    def total_s(self) -> float: ...
+    @property
+    def moving_s(self) -> float: ...
+    @property
+    def dwell_s(self) -> float: ...
+    @property
+    def travel_s(self) -> float: ...
+    @property
+    def homing_s(self) -> float: ...
+    @property
+    def heating_s(self) -> float: ...
+    @property
+    def by_feature(self) -> list[tuple[str, float]]: ...
+    @property
+    def by_layer(self) -> list[tuple[float | None, float]]: ...
+    @property
+    def filament_mm(self) -> float: ...
+    @property
+    def moves(self) -> int: ...
+    @property
+    def garbage_lines(self) -> int: ...
+    @property
+    def per_move(
+        self,
+    ) -> (
+        tuple[npt.NDArray[np.uint64], npt.NDArray[np.float64], npt.NDArray[np.uint16], list[str]]
+        | None
+    ): ...
+
+def estimate(
+    text: bytes,
+    limits: MotionTable,
+    firmware: str,
+    *,
+    allowances_s: tuple[float, float, float],
+    per_move: bool,
+) -> Estimate: ...
+def estimate_files(
+    paths: Sequence[str | os.PathLike[str]],
+    limits: MotionTable,
+    firmware: str,
+    *,
+    allowances_s: tuple[float, float, float],
+    per_move: bool,
+) -> list[Estimate | WireprintError]: ...

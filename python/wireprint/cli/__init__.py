@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 #: Name of each subcommand → its module, the command in it, and the summary for ``--help``.
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
+    "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),
 }
 

@@ -2,6 +2,7 @@
 
 mod arrays;
 mod errors;
+mod estimate;
 mod mesh;
 mod render;
 
@@ -10,6 +11,8 @@ mod render;
 mod _core {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use super::estimate::{Estimate, estimate, estimate_files};
     #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]

@@ -1,0 +1,89 @@
+"""``wireprint estimate``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from wireprint.limits import FIRMWARES, Firmware
+from wireprint.timing import Allowances, Estimate, Machine, clock
+
+
+@click.command()
+@click.argument(
+    "files",
+    nargs=-1,
+    required=True,
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+)
+@click.option(
+    "--firmware",
+    type=click.Choice(FIRMWARES),
+    help="Whose planner; default: the printer's own, klipper with --limits.",
+)
+@click.option("--printer", help="Profile whose limits apply; default: kossel-mini.")
+@click.option("--limits", metavar="FILE.toml#TABLE", help="Limits in place of a printer's.")
+@click.option("--material", default="abs", show_default=True, help="Profile of the filament.")
+@click.option(
+    "--homing-s", type=click.FloatRange(min=0), default=0.0, help="Seconds allowed for each G28."
+)
+@click.option(
+    "--nozzle-heating-s",
+    type=click.FloatRange(min=0),
+    default=0.0,
+    help="Seconds allowed for each M109 that raises the temperature.",
+)
+@click.option(
+    "--bed-heating-s",
+    type=click.FloatRange(min=0),
+    default=0.0,
+    help="Seconds allowed for each M190 that raises the temperature.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one object; a list for many files.")
+def estimate(
+    files: tuple[Path, ...],
+    firmware: Firmware | None,
+    printer: str | None,
+    limits: str | None,
+    material: str,
+    homing_s: float,
+    nozzle_heating_s: float,
+    bed_heating_s: float,
+    as_json: bool,
+) -> None:
+    """Tell how long G-code takes to print.
+
+    FILES may come from any program. The time is that of the firmware's own look-ahead planner;
+    homing and heating count nothing unless seconds are allowed for them.
+    """
+    machine = Machine.of(limits, printer, material, firmware)
+    allowances = Allowances(homing_s, nozzle_heating_s, bed_heating_s)
+    estimates = machine.estimate_files(files, allowances)
+    if as_json:
+        objects = [
+            {"file": str(path), "firmware": machine.firmware, **one.to_dict()}
+            for path, one in zip(files, estimates, strict=True)
+        ]
+        click.echo(json.dumps(objects[0] if len(objects) == 1 else objects, indent=2))
+        return
+    for path, one in zip(files, estimates, strict=True):
+        _show(path, machine.firmware, one)
+    if len(files) > 1:
+        click.echo(f"all: {clock(sum(one.total_s for one in estimates))}")
+
+
+def _show(path: Path, firmware: Firmware, one: Estimate) -> None:
+    click.echo(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {firmware})")
+    rows = dict(sorted(one.by_feature.items(), key=lambda row: -row[1]))
+    rows |= {"homing": one.homing_s, "heating": one.heating_s}
+    for name, seconds in rows.items():
+        if seconds > 0:
+            click.echo(f"  {name:24} {clock(seconds):>8} {seconds / one.total_s:6.1%}")
+    click.echo(
+        f"  filament: {one.filament_mm:.0f} mm, {one.filament_g:.1f} g, "
+        f"cost {one.filament_cost:.2f}; layers: {len(one.by_layer)}"
+    )
+    if one.garbage_lines:
+        click.echo(f"  lines that firmware would refuse: {one.garbage_lines}", err=True)
