@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used)]
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use wireprint_core::check::{Bed, Bound, Certificate, Limits, Move, Obstacle, Rules, certify};
+use wireprint_core::check::{Bed, Bound, Certificate, Limits, Obstacle, Rules, certify};
+use wireprint_core::gcode::machine::Step;
 use wireprint_core::head::Head;
 
 const FIRST: f64 = 0.35;
@@ -20,10 +21,14 @@ fn rules() -> Rules {
     }
 }
 
+fn step(line: u64, from: DVec3, to: DVec3, filament: f64, speed: f64) -> Step {
+    Step { line, from, to, filament, speed, rapid: false, feature: 0 }
+}
+
 /// Moves under construction; lines count from 1, one per move.
 struct Pen {
     at: DVec3,
-    moves: Vec<Move>,
+    moves: Vec<Step>,
 }
 
 impl Pen {
@@ -32,8 +37,7 @@ impl Pen {
     }
 
     fn go(&mut self, to: DVec3, filament: f64) {
-        let line = self.moves.len() as u32 + 1;
-        self.moves.push(Move { line, from: self.at, to, filament, feed: 30.0 });
+        self.moves.push(step(self.moves.len() as u64 + 1, self.at, to, filament, 30.0));
         self.at = to;
     }
 
@@ -53,7 +57,7 @@ fn outline() -> Vec<DVec2> {
 }
 
 /// A wire cube of three slabs as one continuous strand.
-fn cube() -> Vec<Move> {
+fn cube() -> Vec<Step> {
     let outline = outline();
     let at = |i: usize, z: f64| outline[i % outline.len()].extend(z);
     let mut pen = Pen::new(dvec3(0.0, 0.0, 50.0));
@@ -79,12 +83,12 @@ fn cube() -> Vec<Move> {
     pen.moves
 }
 
-fn verdict(moves: &[Move]) -> Certificate {
+fn verdict(moves: &[Step]) -> Certificate {
     certify(moves, &rules())
 }
 
 /// Index of the `n`-th move that extrudes and whose height changes by `rise`.
-fn stroke(moves: &[Move], rise: f64, n: usize) -> usize {
+fn stroke(moves: &[Step], rise: f64, n: usize) -> usize {
     let strokes = moves
         .iter()
         .enumerate()
@@ -93,7 +97,7 @@ fn stroke(moves: &[Move], rise: f64, n: usize) -> usize {
 }
 
 /// Moves the point where moves `index` and `index + 1` meet.
-fn shift(moves: &mut [Move], index: usize, by: DVec3) {
+fn shift(moves: &mut [Step], index: usize, by: DVec3) {
     moves[index].to += by;
     moves[index + 1].from += by;
 }
@@ -150,7 +154,7 @@ fn a_post_that_is_only_travelled_leaves_its_diagonal_without_a_start() {
     moves[post].filament = 0.0;
     let certificate = verdict(&moves);
     let starts: Vec<_> = certificate.floating_starts.iter().map(|start| start.line).collect();
-    assert_eq!(starts, [post as u32 + 2]);
+    assert_eq!(starts, [post as u64 + 2]);
 }
 
 #[test]
@@ -231,7 +235,6 @@ fn leaving_the_round_bed_the_height_or_the_bed_plane_is_reported() {
 fn feeds_flow_and_filament_only_moves_have_limits() {
     let at = dvec3(0.0, 0.0, FIRST);
     let to = dvec3(10.0, 0.0, FIRST);
-    let step = |line, from, to, filament, feed| Move { line, from, to, filament, feed };
     let moves = [
         step(1, at, to, 0.0, 201.1),
         step(2, to, at, 10.0, 30.0),

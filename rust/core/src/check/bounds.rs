@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::{Bound, Move, OutOfBounds, Rules};
+use super::{Bound, OutOfBounds, Rules};
+use crate::gcode::machine::Step;
 
 /// Distances outside the volume below this are rounding, mm.
 const ROUNDING_MM: f64 = 1e-6;
@@ -38,12 +39,6 @@ pub struct Limits {
 }
 
 impl Bed {
-    /// Lowest and highest xy of the bed, mm.
-    #[must_use]
-    pub fn rectangle(&self) -> (DVec2, DVec2) {
-        (self.centre - self.half, self.centre + self.half)
-    }
-
     /// How far a point lies outside the build volume, mm; 0 inside. Depth below the bed does not
     /// count: that is a collision.
     fn outside(&self, p: DVec3) -> f64 {
@@ -59,22 +54,22 @@ impl Bed {
 }
 
 /// Every move that asks for more than there is.
-pub(super) fn breaches(moves: &[Move], rules: &Rules) -> Vec<OutOfBounds> {
+pub(super) fn breaches(moves: &[Step], rules: &Rules) -> Vec<OutOfBounds> {
     moves.par_iter().with_min_len(1024).flat_map_iter(|step| of_move(step, rules)).collect()
 }
 
-fn of_move(step: &Move, rules: &Rules) -> impl Iterator<Item = OutOfBounds> {
+fn of_move(step: &Step, rules: &Rules) -> impl Iterator<Item = OutOfBounds> {
     let limits = &rules.limits;
     let length = step.from.distance(step.to);
     let moving = length > 0.0;
-    let feed = step.feed.min(limits.feed);
+    let feed = step.speed.min(limits.feed);
     let flow = step.filament * limits.filament_area * feed / length;
     let outside = rules.bed.outside(step.to);
     let share = 1.0 + ROUNDING_SHARE;
     let (line, at) = (step.line, step.to);
     [
         (Bound::Volume, moving && outside > ROUNDING_MM, outside, 0.0),
-        (Bound::Feed, moving && step.feed > limits.feed * share, step.feed, limits.feed),
+        (Bound::Feed, moving && step.speed > limits.feed * share, step.speed, limits.feed),
         (Bound::Flow, moving && flow > limits.flow * share, flow, limits.flow),
         (
             Bound::FilamentOnly,

@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use super::deposit::Deposit;
-use super::{Collision, Move, Obstacle, Rules};
+use super::{Collision, Obstacle, Rules};
+use crate::gcode::machine::Step;
 use crate::head::Hit;
 
 /// Heights below the bed by less than this are rounding, mm.
@@ -13,7 +14,7 @@ const ROUNDING_MM: f64 = 1e-9;
 const BATCH: usize = 256;
 
 /// The deepest collision of each move that collides.
-pub(super) fn collisions(moves: &[Move], deposit: &Deposit, rules: &Rules) -> Vec<Collision> {
+pub(super) fn collisions(moves: &[Step], deposit: &Deposit, rules: &Rules) -> Vec<Collision> {
     (moves, &deposit.laid)
         .into_par_iter()
         .with_min_len(BATCH)
@@ -28,7 +29,7 @@ pub(super) fn collisions(moves: &[Move], deposit: &Deposit, rules: &Rules) -> Ve
         .collect()
 }
 
-fn with_bed(step: &Move) -> Option<Collision> {
+fn with_bed(step: &Step) -> Option<Collision> {
     let (tip, material) = (step.to, step.to.with_z(0.0));
     (tip.z < -ROUNDING_MM).then_some(Collision {
         line: step.line,
@@ -39,7 +40,7 @@ fn with_bed(step: &Move) -> Option<Collision> {
     })
 }
 
-fn with_material(step: &Move, laid: u32, deposit: &Deposit, rules: &Rules) -> Option<Collision> {
+fn with_material(step: &Step, laid: u32, deposit: &Deposit, rules: &Rules) -> Option<Collision> {
     let tolerance = rules.tolerance();
     let path = [step.from, step.to];
     let floor = step.from.z.min(step.to.z) + tolerance;
@@ -73,7 +74,7 @@ fn with_material(step: &Move, laid: u32, deposit: &Deposit, rules: &Rules) -> Op
 
 /// The strand that the move itself lays: it is complete, and highest over the tip, at its end.
 fn with_itself(
-    step: &Move,
+    step: &Step,
     laid: u32,
     tolerance: f64,
     deposit: &Deposit,

@@ -3,8 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::bounds::Bed;
+use super::chain;
 use super::grid::Grid;
-use super::{Move, chain};
+use crate::gcode::machine::Step;
 
 /// Shorter strokes than this are blobs, mm: a thousandth of what G-code resolves.
 const SHORTEST_MM: f64 = 1e-6;
@@ -15,7 +16,9 @@ pub(super) struct Deposit {
     /// Ends of each strand, mm.
     pub strands: Vec<[DVec3; 2]>,
     /// Line of each strand.
-    pub lines: Vec<u32>,
+    pub lines: Vec<u64>,
+    /// Feature of each strand.
+    pub features: Vec<u16>,
     /// Place of each strand in its chain.
     pub links: Vec<chain::Link>,
     /// For each move, the number of strands laid before it.
@@ -28,12 +31,16 @@ pub(super) struct Deposit {
 
 impl Deposit {
     /// Lays the strands of `moves`.
-    pub(super) fn of(moves: &[Move], bed: &Bed) -> Self {
-        let (mut strands, mut lines, mut laid) = (Vec::new(), Vec::new(), Vec::new());
+    pub(super) fn of(moves: &[Step], bed: &Bed) -> Self {
+        let (mut strands, mut lines, mut features) = (Vec::new(), Vec::new(), Vec::new());
         let (mut tops, mut top) = (vec![f64::NEG_INFINITY], f64::NEG_INFINITY);
         let mut chains = chain::Chains::default();
-        laid.reserve(moves.len());
+        let mut laid = Vec::with_capacity(moves.len());
+        let mut at = None;
         for step in moves {
+            if at.replace(step.to) != Some(step.from) {
+                chains.travel();
+            }
             laid.push(strands.len() as u32);
             let length = step.from.distance(step.to);
             if length <= SHORTEST_MM {
@@ -42,6 +49,7 @@ impl Deposit {
             if step.filament > 0.0 {
                 strands.push([step.from, step.to]);
                 lines.push(step.line);
+                features.push(step.feature);
                 chains.extrude(length);
                 top = top.max(step.from.z.max(step.to.z));
                 tops.push(top);
@@ -51,13 +59,14 @@ impl Deposit {
         }
         let (low, high) = frame(&strands, bed);
         let grid = Grid::new(&strands, low, high);
-        Self { strands, lines, links: chains.links, laid, tops, grid }
+        Self { strands, lines, features, links: chains.links, laid, tops, grid }
     }
 }
 
-/// The rectangle that holds the strands, as far as it is on the bed.
+/// The rectangle in which material is kept: all of the strands, unless they stray from the bed by
+/// more than its size. What lies farther out is out of bounds, and that is all to be said of it.
 fn frame(strands: &[[DVec3; 2]], bed: &Bed) -> (DVec2, DVec2) {
-    let (bed_low, bed_high) = bed.rectangle();
+    let (bed_low, bed_high) = (bed.centre - 3.0 * bed.half, bed.centre + 3.0 * bed.half);
     let ends = || strands.iter().flatten().map(|p| p.truncate());
     let low = ends().fold(bed_high, DVec2::min).max(bed_low);
     let high = ends().fold(bed_low, DVec2::max).min(bed_high);

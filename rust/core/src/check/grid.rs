@@ -5,6 +5,8 @@
 //! or forwards in time stops as soon as nothing further can matter. That keeps a query from
 //! looking at what lies far below or above.
 
+use std::ops::Range;
+
 use glam::{DVec2, DVec3};
 
 /// Preferred size of a cell, mm: a few strand diameters, about the reach of a flank.
@@ -26,7 +28,7 @@ struct Entry {
     floor: f64,
 }
 
-/// The grid; what lies outside its rectangle belongs to the nearest cell at its rim.
+/// The grid; what lies outside its rectangle is neither kept nor found.
 #[derive(Debug)]
 pub(super) struct Grid {
     low: DVec2,
@@ -146,27 +148,24 @@ impl Grid {
     /// Calls `found` with every cell that a segment comes within `reach` of, row by row.
     fn visit(&self, [a, b]: [DVec3; 2], reach: f64, mut found: impl FnMut(usize)) {
         let reach = reach + SLACK_MM;
-        let first = self.row(a.y.min(b.y) - reach);
-        let last = self.row(a.y.max(b.y) + reach);
-        for row in first..=last {
+        let (low, high) = (a.y.min(b.y) - reach - self.low.y, a.y.max(b.y) + reach - self.low.y);
+        for row in cells(low, high, self.cell.y, self.rows) {
             let bottom = self.low.y + row as f64 * self.cell.y - reach;
             let top = bottom + self.cell.y + 2.0 * reach;
-            let bottom = if row == 0 { f64::NEG_INFINITY } else { bottom };
-            let top = if row + 1 == self.rows { f64::INFINITY } else { top };
             let Some((left, right)) = clip(a, b, bottom, top) else { continue };
-            for column in self.column(left - reach)..=self.column(right + reach) {
+            let (left, right) = (left - reach - self.low.x, right + reach - self.low.x);
+            for column in cells(left, right, self.cell.x, self.columns) {
                 found(row * self.columns + column);
             }
         }
     }
+}
 
-    fn column(&self, x: f64) -> usize {
-        (((x - self.low.x) / self.cell.x) as usize).min(self.columns - 1)
-    }
-
-    fn row(&self, y: f64) -> usize {
-        (((y - self.low.y) / self.cell.y) as usize).min(self.rows - 1)
-    }
+/// The cells, of `count` with this size, that the interval `low`–`high` overlaps.
+fn cells(low: f64, high: f64, size: f64, count: usize) -> Range<usize> {
+    let first = (low / size).floor().clamp(0.0, count as f64);
+    let end = ((high / size).floor() + 1.0).clamp(first, count as f64);
+    first as usize..end as usize
 }
 
 /// Range of x of the part of `a`–`b` with y in `bottom`–`top`.

@@ -1,7 +1,8 @@
 //! The certificate: what a file would do on the machine, judged by the rules of a printable file.
 //!
 //! Of the generator this module shares nothing but [`Head`]. It takes the moves that the G-code
-//! reader got from a text and reports every breach with the line that commands it:
+//! reader gets from a text (arcs as chords; the way home of a G28 is the firmware's own and not
+//! judged) and reports every breach with the line that commands it:
 //!
 //! 1. **No collision** ([`collide`]): each move of the whole head, extruding or not, against every
 //!    strand laid before it, against the strand that it lays itself, and against the bed. Material
@@ -23,29 +24,17 @@ mod chain;
 mod collide;
 mod contact;
 mod deposit;
+mod file;
 mod grid;
 mod stretch;
 
 use glam::DVec3;
 
+use crate::gcode::machine::Step;
 use crate::head::Head;
 
 pub use bounds::{Bed, Limits};
-
-/// One straight move of the head, as commanded.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Move {
-    /// Line of the G-code, from 1.
-    pub line: u32,
-    /// Where the tip starts, mm.
-    pub from: DVec3,
-    /// Where the tip ends, mm.
-    pub to: DVec3,
-    /// Filament fed, mm; negative for a retraction.
-    pub filament: f64,
-    /// Commanded speed, mm/s; of the filament where the tip stands still.
-    pub feed: f64,
-}
+pub use file::certify_text;
 
 /// What the file is judged by.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,7 +71,7 @@ pub enum Obstacle {
     /// The strand that this line printed.
     Strand {
         /// Line of the G-code.
-        line: u32,
+        line: u64,
     },
 }
 
@@ -90,7 +79,7 @@ pub enum Obstacle {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// Line that commands the move.
-    pub line: u32,
+    pub line: u64,
     /// Where the tip is, mm.
     pub tip: DVec3,
     /// Where the material is, mm.
@@ -105,7 +94,7 @@ pub struct Collision {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LooseEnd {
     /// Line of the strand that starts or ends here.
-    pub line: u32,
+    pub line: u64,
     /// The point, mm.
     pub at: DVec3,
 }
@@ -114,7 +103,7 @@ pub struct LooseEnd {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     /// Line of the strand at whose end the stretch ends.
-    pub line: u32,
+    pub line: u64,
     /// Last contact before the stretch, mm.
     pub from: DVec3,
     /// Where the stretch ends, mm.
@@ -142,7 +131,7 @@ pub enum Bound {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutOfBounds {
     /// Line that commands the move.
-    pub line: u32,
+    pub line: u64,
     /// Where the move ends, mm.
     pub at: DVec3,
     /// Which bound.
@@ -173,7 +162,11 @@ pub struct Certificate {
     /// Strands as commanded, mm.
     pub strands: Vec<[DVec3; 2]>,
     /// Line of each strand.
-    pub strand_lines: Vec<u32>,
+    pub strand_lines: Vec<u64>,
+    /// Feature of each strand, an index into `features`.
+    pub strand_features: Vec<u16>,
+    /// The `;TYPE:` labels of a text, in small letters; the first is empty.
+    pub features: Vec<String>,
     /// What the strands relax to: chords where they hang, else as commanded; mm.
     pub relaxed: Vec<Relaxed>,
 }
@@ -210,7 +203,7 @@ impl Certificate {
 /// The work grows as n log n with the moves of a print that goes upwards, and is shared among all
 /// cores; the verdict does not depend on their number.
 #[must_use]
-pub fn certify(moves: &[Move], rules: &Rules) -> Certificate {
+pub fn certify(moves: &[Step], rules: &Rules) -> Certificate {
     let deposit = deposit::Deposit::of(moves, &rules.bed);
     let (collisions, (held, out_of_bounds)) = rayon::join(
         || collide::collisions(moves, &deposit, rules),
@@ -227,5 +220,7 @@ pub fn certify(moves: &[Move], rules: &Rules) -> Certificate {
         relaxed: held.relaxed,
         strands: deposit.strands,
         strand_lines: deposit.lines,
+        strand_features: deposit.features,
+        features: Vec::new(),
     }
 }
