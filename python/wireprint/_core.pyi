@@ -16,11 +16,14 @@ __all__ = [
     "ModelError",
     "Scene",
     "SettingError",
+    "Toolpath",
     "UnprintableError",
     "WireprintError",
     "__version__",
     "estimate",
     "estimate_files",
+    "format_moves",
+    "insert_progress",
 ]
 
 __version__: str
@@ -153,3 +156,51 @@ def estimate_files(
     allowances_s: tuple[float, float, float],
     per_move: bool,
 ) -> list[Estimate | WireprintError]: ...
+
+@final
+class Toolpath:
+    @staticmethod
+    def from_arrays(
+        *,
+        start: tuple[float, float, float],
+        to: npt.NDArray[np.float64],
+        kind: npt.NDArray[np.uint8],
+        speed: npt.NDArray[np.float64],
+        filament: npt.NDArray[np.float64],
+        pause: npt.NDArray[np.float64],
+        air: npt.NDArray[np.bool_],
+        slab: npt.NDArray[np.uint32],
+    ) -> Toolpath: ...
+    def __len__(self) -> int: ...
+    @property
+    def start(self) -> list[float]: ...
+    @property
+    def top_mm(self) -> float: ...
+    @property
+    def to(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def kind(self) -> npt.NDArray[np.uint8]: ...
+    @property
+    def speed(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def filament(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def pause(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def air(self) -> npt.NDArray[np.bool_]: ...
+    @property
+    def slab(self) -> npt.NDArray[np.uint32]: ...
+
+def format_moves(
+    toolpath: Toolpath,
+    *,
+    relative_extrusion: bool,
+    dwell: str,
+    air_on: str,
+    air_off: str,
+    layer: str,
+    retract: str,
+    unretract: str,
+    labels: list[str],
+) -> bytes: ...
+def insert_progress(text: bytes, estimate: Estimate, template: str) -> bytes: ...

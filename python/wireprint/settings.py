@@ -159,8 +159,9 @@ class Cooling(Section):
     method: CoolingMethod = Field(
         description="valve: air jets switched by M42; fan: the part fan; none: a longer pause"
     )
-    valve_pin: int | str = Field(
-        0, description="M42's pin number; under Klipper the name of an [output_pin]"
+    valve_pin: int | None = Field(None, ge=0, description="number of the valve's pin for M42")
+    valve_output: str = Field(
+        "wire_air", pattern=r"^\w+$", description="the valve's [output_pin] under Klipper"
     )
     fan_spin_up_s: float = Field(
         2.0, ge=0, le=30, description="time a part fan needs; too long to follow single strokes"
@@ -172,8 +173,25 @@ class Gcode(Section):
 
     flavor: Flavor
     relative_extrusion: bool = Field(True, description="M83, not M82")
+    firmware_retraction: bool = Field(
+        False, description="G10 and G11, not moves of E; the firmware must know how far"
+    )
     start: str = Field(description="heats and homes; may use {nozzle_c}, {bed_c}")
-    end: str = Field(description="cools and parks; may use {park_z_mm}, {travel_mm_min}")
+    end: str = Field(description="cools and parks; may use {park_z_mm}, 10 mm above the print")
+
+    @model_validator(mode="after")
+    def _sequences_use_known_names(self) -> Self:
+        for name, text, known in (
+            ("start", self.start, {"nozzle_c": 0, "bed_c": 0}),
+            ("end", self.end, {"park_z_mm": 0}),
+        ):
+            try:
+                text.format_map(known)
+            except (KeyError, ValueError, IndexError, AttributeError):
+                names = ", ".join(f"{{{key}}}" for key in known)
+                msg = f"{name} has braces around something else than {names}; double the others"
+                raise ValueError(msg) from None
+        return self
 
 
 class Printer(Section):
@@ -319,6 +337,14 @@ class Settings(Section):
     printer: Printer
     material: Material
     wire: Wire = Field(default_factory=Wire)
+
+    @model_validator(mode="after")
+    def _a_valve_has_a_pin(self) -> Self:
+        cooling, flavor = self.printer.cooling, self.printer.gcode.flavor
+        if cooling.method == "valve" and cooling.valve_pin is None and flavor != "klipper":
+            msg = f"cooling.method is valve: {flavor} needs cooling.valve_pin, the pin of the valve"
+            raise ValueError(msg)
+        return self
 
     @model_validator(mode="after")
     def _slabs_have_a_range(self) -> Self:

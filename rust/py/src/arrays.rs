@@ -4,6 +4,13 @@ use glam::DVec3;
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
+/// A read-only array of shape (N,) that takes over the vector's memory.
+pub fn vector<T: Element>(py: Python<'_>, values: Vec<T>) -> Bound<'_, PyArray1<T>> {
+    let array = PyArray1::from_vec(py, values);
+    array.readwrite().make_nonwriteable();
+    array
+}
+
 /// A read-only array of shape (N, `columns`) that takes over the row-major vector's memory.
 ///
 /// # Errors

@@ -101,6 +101,13 @@ pub struct Estimate {
     core: CoreEstimate,
 }
 
+impl Estimate {
+    /// The core's estimate.
+    pub fn core(&self) -> &CoreEstimate {
+        &self.core
+    }
+}
+
 #[pymethods]
 impl Estimate {
     /// Everything, s.

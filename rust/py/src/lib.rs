@@ -3,8 +3,10 @@
 mod arrays;
 mod errors;
 mod estimate;
+mod gcode;
 mod mesh;
 mod render;
+mod toolpath;
 
 /// The extension module `wireprint._core`.
 #[pyo3::pymodule]
@@ -14,9 +16,13 @@ mod _core {
     #[pymodule_export]
     use super::estimate::{Estimate, estimate, estimate_files};
     #[pymodule_export]
+    use super::gcode::{format_moves, insert_progress};
+    #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]
     use super::render::Scene;
+    #[pymodule_export]
+    use super::toolpath::Toolpath;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -1,7 +1,11 @@
-//! G-code: read ([`reader`]), interpreted ([`machine`]).
+//! G-code: written ([`lines`]), read ([`reader`]), interpreted ([`machine`]).
 
 pub mod arc;
 pub mod command;
+pub mod fixed;
+pub mod lines;
 pub mod machine;
 pub mod number;
+pub mod progress;
 pub mod reader;
+pub mod template;

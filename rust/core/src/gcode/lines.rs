@@ -1,0 +1,344 @@
+//! Stage 6: a toolpath becomes the lines of a G-code file.
+//!
+//! Everything that a firmware's dialect decides comes in as [`Dialect`]; this file only knows
+//! `G0`, `G1` and their words. Coordinates are rounded to 1 µm, filament to 10 nm *in sum*, so
+//! that millions of rounded feeds do not drift, and a word is left out where it would repeat.
+
+use super::fixed;
+use super::template::Template;
+use crate::error::{CoreError, Result};
+use crate::toolpath::Toolpath;
+use crate::wireframe::Kind;
+
+/// Decimals of X, Y and Z, of seconds in thousandths, and of `{z}` and `{height}`.
+const PLACE_DECIMALS: u32 = 3;
+/// Decimals of E.
+const FEED_DECIMALS: u32 = 5;
+/// Beyond this, mm, a coordinate is a mistake.
+const FARTHEST: f64 = 1e6;
+/// Bytes of a usual line; a guess that saves copying.
+const USUAL_LINE: usize = 40;
+
+/// The commands of a firmware, as text; an empty one is not written.
+#[derive(Debug, Clone, Default)]
+pub struct Dialect {
+    /// Whether E counts from the last move (M83) or from the start (M82).
+    pub relative_extrusion: bool,
+    /// Waits; takes `{ms}`.
+    pub dwell: Template,
+    /// Switches the air on once all earlier moves are done.
+    pub air_on: String,
+    /// Switches the air off once all earlier moves are done.
+    pub air_off: String,
+    /// Begins a layer; takes `{z}` and `{height}`, mm.
+    pub layer: Template,
+    /// Pulls filament back, for firmware that does so itself; else E is written.
+    pub retract: String,
+    /// Pushes it forward again.
+    pub unretract: String,
+    /// Announces a kind of strand; by the code of [`Kind`], empty where none is announced.
+    pub labels: Vec<String>,
+}
+
+impl Dialect {
+    /// The field of [`Dialect::dwell`].
+    pub const DWELL_FIELDS: [&str; 1] = ["ms"];
+    /// The fields of [`Dialect::layer`].
+    pub const LAYER_FIELDS: [&str; 2] = ["z", "height"];
+
+    fn label(&self, kind: Kind) -> &str {
+        self.labels.get(kind as usize).map_or("", String::as_str)
+    }
+}
+
+/// The lines of all moves.
+///
+/// # Errors
+/// [`CoreError::Unprintable`] where a figure is not finite, or its array has another length.
+pub fn write(path: &Toolpath, dialect: &Dialect) -> Result<Vec<u8>> {
+    let layers = layers(path);
+    let mut writer = Writer::new(dialect, path.to.len());
+    let mut layer = layers.iter().peekable();
+    for i in 0..path.to.len() {
+        let m = step(path, i).ok_or_else(|| wrong(i))?;
+        if let Some(begun) = layer.next_if(|layer| layer.first == i) {
+            let values = [begun.z, begun.height].map(|v| units(v, PLACE_DECIMALS));
+            dialect.layer.write(&mut writer.out, &values, PLACE_DECIMALS);
+        }
+        writer.step(&m);
+    }
+    writer.switch_air(false);
+    Ok(writer.out)
+}
+
+fn wrong(i: usize) -> CoreError {
+    CoreError::Unprintable(format!("move {i} has a figure that is missing or not finite"))
+}
+
+/// One move in the units of the file.
+struct Step {
+    to: [i64; 3],
+    kind: Kind,
+    /// mm/min.
+    feedrate: i64,
+    filament: f64,
+    pause_ms: i64,
+    air: bool,
+}
+
+fn step(path: &Toolpath, i: usize) -> Option<Step> {
+    let to = *path.to.get(i)?;
+    let (speed, filament) = (*path.speed.get(i)?, *path.filament.get(i)?);
+    let pause = *path.pause.get(i)?;
+    let sound = to.is_finite()
+        && to.abs().max_element() < FARTHEST
+        && [speed, filament, pause].iter().all(|v| v.abs() < FARTHEST);
+    sound.then_some(Step {
+        to: to.to_array().map(|v| units(v, PLACE_DECIMALS)),
+        kind: *path.kind.get(i)?,
+        feedrate: units(speed * 60.0, 0).max(1),
+        filament,
+        pause_ms: units(pause.max(0.0), 3),
+        air: *path.air.get(i)?,
+    })
+}
+
+/// A run of moves of one slab.
+struct Layer {
+    first: usize,
+    /// Greatest height of its strands, mm.
+    z: f64,
+    /// What it adds to what stands below it, mm.
+    height: f64,
+}
+
+fn layers(path: &Toolpath) -> Vec<Layer> {
+    let mut layers = Vec::new();
+    let (mut first, mut below) = (0, 0.0);
+    for run in path.slab.chunk_by(|a, b| a == b) {
+        let moves = first..(first + run.len()).min(path.to.len());
+        let heights = moves.filter(|&i| is_strand(path.kind.get(i))).map(|i| path.to[i].z);
+        let z = heights.fold(f64::NEG_INFINITY, f64::max);
+        let z = if z.is_finite() { z } else { below };
+        layers.push(Layer { first, z, height: (z - below).max(0.0) });
+        below = z;
+        first += run.len();
+    }
+    layers
+}
+
+fn is_strand(kind: Option<&Kind>) -> bool {
+    !matches!(kind, None | Some(Kind::Travel | Kind::Retract | Kind::Unretract))
+}
+
+struct Writer<'a> {
+    dialect: &'a Dialect,
+    out: Vec<u8>,
+    at: Option<[i64; 3]>,
+    feedrate: Option<i64>,
+    label: &'a str,
+    air: bool,
+    /// Filament fed so far, mm, and as it was written, in units of E's last decimal.
+    fed: f64,
+    fed_units: i64,
+}
+
+impl<'a> Writer<'a> {
+    fn new(dialect: &'a Dialect, moves: usize) -> Self {
+        Self {
+            dialect,
+            out: Vec::with_capacity(moves * USUAL_LINE),
+            at: None,
+            feedrate: None,
+            label: "",
+            air: false,
+            fed: 0.0,
+            fed_units: 0,
+        }
+    }
+
+    fn step(&mut self, m: &Step) {
+        self.announce(m.kind);
+        self.switch_air(m.air);
+        let firmware = match m.kind {
+            Kind::Retract => &self.dialect.retract,
+            Kind::Unretract => &self.dialect.unretract,
+            _ => "",
+        };
+        if firmware.is_empty() {
+            self.line(m);
+        } else {
+            self.out.extend_from_slice(firmware.as_bytes());
+        }
+        if m.pause_ms > 0 {
+            self.dialect.dwell.write(&mut self.out, &[m.pause_ms], 0);
+        }
+    }
+
+    fn announce(&mut self, kind: Kind) {
+        let label = self.dialect.label(kind);
+        if !label.is_empty() && label != self.label {
+            self.out.extend_from_slice(label.as_bytes());
+            self.label = label;
+        }
+    }
+
+    fn switch_air(&mut self, on: bool) {
+        if on != self.air {
+            let text = if on { &self.dialect.air_on } else { &self.dialect.air_off };
+            self.out.extend_from_slice(text.as_bytes());
+            self.air = on;
+        }
+    }
+
+    /// The move itself, where it moves or feeds anything.
+    fn line(&mut self, m: &Step) {
+        self.fed += m.filament;
+        let fed_units = units(self.fed, FEED_DECIMALS);
+        let feed = fed_units - self.fed_units;
+        if feed == 0 && self.at == Some(m.to) {
+            return;
+        }
+        self.out.extend_from_slice(if m.kind == Kind::Travel { b"G0" } else { b"G1" });
+        for (axis, (letter, &to)) in [b'X', b'Y', b'Z'].into_iter().zip(&m.to).enumerate() {
+            if self.at.is_none_or(|at| at[axis] != to) {
+                self.word(letter, to, PLACE_DECIMALS);
+            }
+        }
+        self.at = Some(m.to);
+        if feed != 0 {
+            let value = if self.dialect.relative_extrusion { feed } else { fed_units };
+            self.word(b'E', value, FEED_DECIMALS);
+            self.fed_units = fed_units;
+        }
+        if self.feedrate != Some(m.feedrate) {
+            self.word(b'F', m.feedrate, 0);
+            self.feedrate = Some(m.feedrate);
+        }
+        self.out.push(b'\n');
+    }
+
+    fn word(&mut self, letter: u8, value: i64, decimals: u32) {
+        self.out.extend_from_slice(&[b' ', letter]);
+        fixed::push(&mut self.out, value, decimals);
+    }
+}
+
+/// `value` in units of 10^-`decimals`, to the nearest.
+fn units(value: f64, decimals: u32) -> i64 {
+    (value * f64::from(10_u32.pow(decimals))).round() as i64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn dialect() -> Dialect {
+        let mut labels = vec![String::new(); 11];
+        labels[Kind::Contour as usize] = ";TYPE:CONTOUR\n".into();
+        labels[Kind::Post as usize] = ";TYPE:POST\n".into();
+        Dialect {
+            relative_extrusion: true,
+            dwell: Template::new("G4 P{ms}\n", &Dialect::DWELL_FIELDS).unwrap(),
+            air_on: "AIR ON\n".into(),
+            air_off: "AIR OFF\n".into(),
+            layer: Template::new(";Z:{z} {height}\n", &Dialect::LAYER_FIELDS).unwrap(),
+            labels,
+            ..Dialect::default()
+        }
+    }
+
+    fn push(path: &mut Toolpath, to: (f64, f64, f64), kind: Kind, filament: f64) {
+        path.to.push(to.into());
+        path.kind.push(kind);
+        path.speed.push(30.0);
+        path.filament.push(filament);
+        path.pause.push(if kind == Kind::Post { 1.0 } else { 0.0 });
+        path.air.push(kind == Kind::Post);
+        path.slab.push(u32::from(kind == Kind::Post));
+    }
+
+    fn example() -> Toolpath {
+        let mut path = Toolpath::default();
+        push(&mut path, (1.0, 2.0, 0.35), Kind::Travel, 0.0);
+        push(&mut path, (1.0, 2.0, 0.35), Kind::Unretract, 4.0);
+        push(&mut path, (11.0, 2.0, 0.35), Kind::Contour, 1.6);
+        push(&mut path, (11.0, 2.0, 5.35), Kind::Post, 0.8);
+        push(&mut path, (11.0, 2.0, 5.35), Kind::Retract, -4.0);
+        path.slab = vec![0, 0, 0, 1, 1];
+        path
+    }
+
+    fn text(path: &Toolpath, dialect: &Dialect) -> String {
+        String::from_utf8(write(path, dialect).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_toolpath_reads_as_its_moves() {
+        let expected = ";Z:0.350 0.350\nG0 X1.000 Y2.000 Z0.350 F1800\nG1 E4.00000\n\
+             ;TYPE:CONTOUR\nG1 X11.000 E1.60000\n;Z:5.350 5.000\n;TYPE:POST\nAIR ON\n\
+             G1 Z5.350 E0.80000\nG4 P1000\nAIR OFF\nG1 E-4.00000\n";
+        assert_eq!(text(&example(), &dialect()), expected);
+    }
+
+    #[test]
+    fn absolute_extrusion_counts_from_the_start() {
+        let lines = text(&example(), &Dialect { relative_extrusion: false, ..dialect() });
+        let fed: Vec<&str> = lines.split_whitespace().filter(|w| w.starts_with('E')).collect();
+        assert_eq!(fed, ["E4.00000", "E5.60000", "E6.40000", "E2.40000"]);
+    }
+
+    #[test]
+    fn firmware_retraction_replaces_e_and_leaves_the_count_alone() {
+        let firmware = Dialect { retract: "G10\n".into(), unretract: "G11\n".into(), ..dialect() };
+        let lines = text(&example(), &firmware);
+        assert!(lines.contains("F1800\nG11\n;TYPE"), "{lines}");
+        assert!(lines.ends_with("G10\n"), "{lines}");
+        let absolute = Dialect { relative_extrusion: false, ..firmware };
+        assert!(text(&example(), &absolute).contains("E2.40000"));
+    }
+
+    #[test]
+    fn rounded_feeds_add_up_to_the_filament() {
+        let mut path = Toolpath::default();
+        for i in 0..100_000 {
+            push(&mut path, (f64::from(i % 7), 0.0, 0.35), Kind::Contour, 0.000_004);
+        }
+        let lines = text(&path, &dialect());
+        let fed: f64 = lines
+            .split_whitespace()
+            .filter_map(|word| word.strip_prefix('E'))
+            .map(|feed| feed.parse::<f64>().unwrap())
+            .sum();
+        assert!((fed - 0.4).abs() < 1e-5, "{fed}");
+    }
+
+    #[test]
+    fn nothing_is_minus_zero() {
+        let mut path = Toolpath::default();
+        push(&mut path, (-0.0, -0.000_4, 0.35), Kind::Travel, -0.0);
+        assert!(text(&path, &dialect()).contains("X0.000 Y0.000 Z0.350"));
+    }
+
+    #[test]
+    fn a_move_that_repeats_everything_is_only_its_pause() {
+        let mut path = example();
+        push(&mut path, (11.0, 2.0, 5.35), Kind::Travel, 0.0);
+        path.pause[5] = 0.25;
+        path.slab[5] = 1;
+        assert!(text(&path, &dialect()).ends_with("G1 E-4.00000\nG4 P250\n"));
+    }
+
+    #[test]
+    fn figures_that_are_no_numbers_are_refused_with_their_move() {
+        for spoil in [f64::NAN, f64::INFINITY, 1e300] {
+            let mut path = example();
+            path.to[2].y = spoil;
+            let error = write(&path, &dialect()).unwrap_err();
+            assert!(error.to_string().contains("move 2"), "{error}");
+        }
+        let mut path = example();
+        path.filament.pop();
+        assert!(write(&path, &dialect()).is_err());
+    }
+}

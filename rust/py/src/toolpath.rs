@@ -1,0 +1,150 @@
+//! `wireprint._core.Toolpath`.
+
+use glam::DVec3;
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use wireprint_core::toolpath;
+use wireprint_core::wireframe::Kind;
+
+use crate::arrays;
+use crate::errors::SettingError;
+
+/// Every kind at the index of its code.
+const KINDS: [Kind; 11] = [
+    Kind::Travel,
+    Kind::Contour,
+    Kind::Post,
+    Kind::Diagonal,
+    Kind::Cap,
+    Kind::LayerWise,
+    Kind::Support,
+    Kind::Skirt,
+    Kind::Brim,
+    Kind::Retract,
+    Kind::Unretract,
+];
+
+/// Every move of the head, in order; immutable.
+#[pyclass(frozen, module = "wireprint._core")]
+pub struct Toolpath {
+    core: toolpath::Toolpath,
+}
+
+impl Toolpath {
+    /// The core's toolpath.
+    pub fn core(&self) -> &toolpath::Toolpath {
+        &self.core
+    }
+}
+
+#[pymethods]
+impl Toolpath {
+    /// A toolpath from its arrays, one entry a move.
+    #[staticmethod]
+    #[pyo3(signature = (*, start, to, kind, speed, filament, pause, air, slab))]
+    #[expect(clippy::too_many_arguments, reason = "one for each array, by keyword only")]
+    fn from_arrays(
+        start: [f64; 3],
+        to: PyReadonlyArray2<'_, f64>,
+        kind: PyReadonlyArray1<'_, u8>,
+        speed: PyReadonlyArray1<'_, f64>,
+        filament: PyReadonlyArray1<'_, f64>,
+        pause: PyReadonlyArray1<'_, f64>,
+        air: PyReadonlyArray1<'_, bool>,
+        slab: PyReadonlyArray1<'_, u32>,
+    ) -> PyResult<Self> {
+        if to.shape()[1] != 3 {
+            let message = format!("to has shape {:?}; it must be (N, 3)", to.shape());
+            return Err(SettingError::new_err(message));
+        }
+        let moves = to.shape()[0];
+        let lengths = [
+            ("kind", kind.len()),
+            ("speed", speed.len()),
+            ("filament", filament.len()),
+            ("pause", pause.len()),
+            ("air", air.len()),
+            ("slab", slab.len()),
+        ];
+        if let Some((name, length)) = lengths.iter().find(|(_, length)| *length != moves) {
+            let message = format!("{name} has shape ({length},); it must be ({moves},), as to has");
+            return Err(SettingError::new_err(message));
+        }
+        let rows = to.as_array();
+        let core = toolpath::Toolpath {
+            start: start.into(),
+            to: rows.rows().into_iter().map(|r| DVec3::new(r[0], r[1], r[2])).collect(),
+            kind: kind.as_array().iter().map(|&code| kind_of(code)).collect::<PyResult<_>>()?,
+            speed: speed.as_array().to_vec(),
+            filament: filament.as_array().to_vec(),
+            pause: pause.as_array().to_vec(),
+            air: air.as_array().to_vec(),
+            slab: slab.as_array().to_vec(),
+        };
+        Ok(Self { core })
+    }
+
+    fn __len__(&self) -> usize {
+        self.core.to.len()
+    }
+
+    /// Where the head stands before the first move, mm.
+    #[getter]
+    fn start(&self) -> [f64; 3] {
+        self.core.start.to_array()
+    }
+
+    /// Greatest height of a move's end, mm; 0 without moves.
+    #[getter]
+    fn top_mm(&self) -> f64 {
+        self.core.to.iter().fold(0.0, |top, to| to.z.max(top))
+    }
+
+    /// End of each move, mm, read-only float64 of shape (N, 3).
+    #[getter]
+    fn to<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        arrays::points(py, &self.core.to)
+    }
+
+    /// Code of each move's kind, read-only uint8 of shape (N,); see `wireprint.KINDS`.
+    #[getter]
+    fn kind<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
+        arrays::vector(py, self.core.kind.iter().map(|&kind| kind as u8).collect())
+    }
+
+    /// Speed along the path, of the filament for a retraction, mm/s, read-only float64 (N,).
+    #[getter]
+    fn speed<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::vector(py, self.core.speed.clone())
+    }
+
+    /// Filament fed, mm, negative for a retraction, read-only float64 (N,).
+    #[getter]
+    fn filament<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::vector(py, self.core.filament.clone())
+    }
+
+    /// Dwell at the end of each move, s, read-only float64 (N,).
+    #[getter]
+    fn pause<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::vector(py, self.core.pause.clone())
+    }
+
+    /// Whether the cooling air blows during each move, read-only bool (N,).
+    #[getter]
+    fn air<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
+        arrays::vector(py, self.core.air.clone())
+    }
+
+    /// Index of the slab that each move belongs to, read-only uint32 (N,).
+    #[getter]
+    fn slab<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        arrays::vector(py, self.core.slab.clone())
+    }
+}
+
+fn kind_of(code: u8) -> PyResult<Kind> {
+    KINDS.get(usize::from(code)).copied().ok_or_else(|| {
+        SettingError::new_err(format!("kind holds {code}; the codes are 0 to {}", KINDS.len() - 1))
+    })
+}
