@@ -8,6 +8,7 @@
 pub mod check;
 pub mod contours;
 pub mod error;
+pub mod fidelity;
 pub mod gcode;
 pub mod head;
 pub mod mesh;

@@ -1,0 +1,62 @@
+//! Deviation: how far the strands lie from the surface.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::triangles::Triangles;
+use crate::mesh::Mesh;
+
+/// Spacing of the samples along a strand, mm: below the resolution of any wire print.
+const STEP_MM: f64 = 1.0;
+
+/// Strands that one task measures; neighbours in printing order have neighbours on the surface.
+const BATCH: usize = 64;
+
+/// Distance of strands from the surface.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Deviation {
+    /// Mean, weighted by length, mm; 0 where there is nothing to measure.
+    pub mean: f64,
+    /// Greatest, mm.
+    pub max: f64,
+}
+
+/// Measures the distance of strands from a mesh.
+///
+/// Each strand is cut into equal pieces of at most 1 mm, and the distance taken at the middle of
+/// each; that of every sample is exact.
+#[must_use]
+pub fn deviation(mesh: &Mesh, strands: &[[DVec3; 2]]) -> Deviation {
+    let triangles = Triangles::new(mesh);
+    let measured: Vec<(f64, f64, f64)> = strands
+        .par_chunks(BATCH)
+        .map(|batch| {
+            let mut guess = 0;
+            batch.iter().fold((0.0, 0.0, 0.0), |(length, moment, max), &strand| {
+                let (l, m, x) = of_strand(strand, &triangles, &mut guess);
+                (length + l, moment + m, f64::max(max, x))
+            })
+        })
+        .collect();
+    let length: f64 = measured.iter().map(|batch| batch.0).sum();
+    let moment: f64 = measured.iter().map(|batch| batch.1).sum();
+    let max = measured.iter().map(|batch| batch.2).fold(0.0, f64::max);
+    Deviation { mean: if length > 0.0 { moment / length } else { 0.0 }, max }
+}
+
+/// Length, integral of the distance and greatest distance of one strand.
+fn of_strand([from, to]: [DVec3; 2], surface: &Triangles, guess: &mut usize) -> (f64, f64, f64) {
+    let length = from.distance(to);
+    let pieces = (length / STEP_MM).ceil().clamp(1.0, f64::from(u32::MAX)) as u32;
+    let (mut sum, mut max) = (0.0, 0.0_f64);
+    for piece in 0..pieces {
+        let middle = from.lerp(to, (f64::from(piece) + 0.5) / f64::from(pieces));
+        if let Some((triangle, squared)) = surface.nearest(middle, *guess) {
+            *guess = triangle;
+            let distance = squared.sqrt();
+            sum += distance;
+            max = max.max(distance);
+        }
+    }
+    (length, sum * length / f64::from(pieces), max)
+}

@@ -1,0 +1,86 @@
+//! A triangle: its closest point, and an even pattern of samples.
+
+use glam::DVec3;
+
+/// Three corners, mm.
+pub(super) type Triangle = [DVec3; 3];
+
+/// Area, mm².
+pub(super) fn area([a, b, c]: Triangle) -> f64 {
+    (b - a).cross(c - a).length() / 2.0
+}
+
+/// Squared distance of a point from the triangle, mm².
+///
+/// Each edge whose outer side (in the triangle's plane) the point lies on may hold the closest
+/// point; where it lies on none, the closest point is its foot on the plane.
+pub(super) fn distance_squared(p: DVec3, [a, b, c]: Triangle) -> f64 {
+    let normal = (b - a).cross(c - a);
+    let mut inside = normal != DVec3::ZERO;
+    let mut nearest = f64::INFINITY;
+    for (from, to) in [(a, b), (b, c), (c, a)] {
+        let (run, offset) = (to - from, p - from);
+        if normal.dot(run.cross(offset)) <= 0.0 {
+            inside = false;
+            let squared = run.length_squared();
+            let u = if squared > 0.0 { (offset.dot(run) / squared).clamp(0.0, 1.0) } else { 0.0 };
+            nearest = nearest.min((offset - u * run).length_squared());
+        }
+    }
+    if inside {
+        let height = normal.dot(p - a);
+        return height * height / normal.length_squared();
+    }
+    nearest
+}
+
+/// Centroids of the k² congruent triangles into which k − 1 cuts along each side divide it.
+pub(super) fn samples([a, b, c]: Triangle, k: u32) -> impl Iterator<Item = DVec3> {
+    let (u, v) = ((b - a) / f64::from(k), (c - a) / f64::from(k));
+    (0..k).flat_map(move |row| {
+        // Along row `row` lie triangles that point as the whole does, and between them inverted ones.
+        (0..2 * (k - row) - 1).map(move |place| {
+            let third = f64::from(1 + place % 2) / 3.0;
+            a + u * (f64::from(place / 2) + third) + v * (f64::from(row) + third)
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::dvec3;
+
+    use super::*;
+
+    const CORNERS: Triangle =
+        [DVec3::new(0.0, 0.0, 1.0), DVec3::new(4.0, 1.0, 0.0), DVec3::new(1.0, 3.0, 2.0)];
+
+    #[test]
+    fn the_distance_is_that_of_the_closest_of_many_samples() {
+        for i in 0..200 {
+            let f = f64::from(i);
+            let p = dvec3((f * 0.7).sin() * 5.0, (f * 1.3).cos() * 5.0, (f * 2.1).sin() * 5.0);
+            let sampled = samples(CORNERS, 120).map(|q| q.distance(p)).fold(f64::MAX, f64::min);
+            let exact = distance_squared(p, CORNERS).sqrt();
+            assert!(exact <= sampled && sampled < exact + 0.04, "{exact} {sampled}");
+        }
+    }
+
+    #[test]
+    fn a_degenerate_triangle_is_its_edges() {
+        let flat = [DVec3::ZERO, DVec3::X, DVec3::X * 3.0];
+        assert!((distance_squared(dvec3(2.0, 2.0, 0.0), flat) - 4.0).abs() < 1e-12);
+        assert!((distance_squared(DVec3::Y, [DVec3::ZERO; 3]) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn there_are_k_squared_samples_inside_and_their_mean_is_the_centroid() {
+        for k in 1..9 {
+            let found: Vec<_> = samples(CORNERS, k).collect();
+            assert_eq!(found.len() as u32, k * k);
+            assert!(found.iter().all(|&p| distance_squared(p, CORNERS) < 1e-12));
+            let mean = found.iter().sum::<DVec3>() / f64::from(k * k);
+            assert!(mean.distance((CORNERS[0] + CORNERS[1] + CORNERS[2]) / 3.0) < 1e-12);
+        }
+    }
+}
