@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from wireprint._core import Mesh, ModelError, SettingError
+from wireprint._core import HOLE_PERIMETER, WELD_DISTANCE, Mesh, ModelError, SettingError
 
 if TYPE_CHECKING:
     import os
 
 #: Millimetres per unit.
 UNITS_MM: Final = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
-#: Formats that trimesh reads.
-TRIMESH_FORMATS: Final = ("obj", "ply", "off", "3mf")
 
 
 def load_mesh(
@@ -23,52 +21,81 @@ def load_mesh(
     up: str = "z",
     rotate: tuple[float, float, float] = (0.0, 0.0, 0.0),
     height_mm: float | None = None,
+    hole_perimeter: float = HOLE_PERIMETER,
+    weld_distance: float = WELD_DISTANCE,
 ) -> Mesh:
-    """Read a model and place it on the bed.
+    """Read a model, repair it and place it on the bed.
 
     Parameters
     ----------
     path
-        STL, OBJ, PLY, OFF or 3MF file.
+        STL, OBJ, PLY, OFF or 3MF file. Objects, instances and components are joined, each with
+        its transform; overlapping bodies stay as they are until slices are united.
     scale
         Factor on the model's size.
     units
-        Unit of the file: ``mm``, ``cm``, ``m`` or ``inch``.
+        Unit of the file: ``mm``, ``cm``, ``m`` or ``inch``. A 3MF file states its unit, which is
+        respected, so `units` must stay ``mm`` there.
     up
         Axis of the file that points up: ``x``, ``y`` or ``z``.
     rotate
         Rotation about x, then y, then z, in degrees, after `up` was applied.
     height_mm
         Height to which the model is scaled in the end, mm.
+    hole_perimeter
+        Longest perimeter of a hole that is closed, as a share (0–1) of the model's diagonal;
+        longer boundary loops are kept as rims of an open model. A hole of three edges is a
+        missing facet and always closed.
+    weld_distance
+        Distance at which vertices on a crack are welded, as a share (0–1) of the diagonal.
 
     Returns
     -------
     Mesh
-        Welded, oriented, centred at x = y = 0, its lowest point at z = 0.
+        Welded, oriented outwards, centred at x = y = 0, its lowest point at z = 0. Its `report`
+        counts what was repaired.
 
     Raises
     ------
     ModelError
-        The file cannot be read, or is too large or tiny for its units.
+        The file cannot be read, makes no surface, or is too large or tiny for its units.
     SettingError
         An argument is out of its bounds.
     """
     if units not in UNITS_MM:
         raise SettingError(f"units is {units!r}; it must be one of {', '.join(UNITS_MM)}")
     suffix = str(path).rpartition(".")[2].lower()
-    factor = scale * UNITS_MM[units]
+    unit_mm = UNITS_MM[units]
     if suffix == "stl":
-        return Mesh.load_stl(path, scale=factor, up=up, rotate=rotate, height_mm=height_mm)
-    if suffix not in TRIMESH_FORMATS:
-        raise ModelError(
-            f"{path}: the format is not supported; use STL, {', '.join(TRIMESH_FORMATS).upper()}"
+        return Mesh.load_stl(
+            path,
+            scale=scale * unit_mm,
+            up=up,
+            rotate=rotate,
+            height_mm=height_mm,
+            hole_perimeter=hole_perimeter,
+            weld_distance=weld_distance,
         )
-    import numpy as np
-    import trimesh
+    from pathlib import Path
 
-    model = trimesh.load_mesh(path, process=False)
-    vertices = np.asarray(model.vertices, np.float64)
-    faces = np.asarray(model.faces, np.int64)
-    return Mesh.from_arrays(
-        vertices, faces, scale=factor, up=up, rotate=rotate, height_mm=height_mm
-    )
+    from wireprint import _formats
+
+    if suffix not in _formats.FORMATS:
+        known = ", ".join(["STL", *(name.upper() for name in _formats.FORMATS)])
+        raise ModelError(f"{path}: the format is not supported; convert it to one of {known}")
+    if suffix == "3mf" and units != "mm":
+        raise SettingError(f"{path}: a 3MF file states its own unit; use scale instead of units")
+    vertices, faces, file_unit_mm = _formats.read_facets(Path(path), suffix)
+    try:
+        return Mesh.from_arrays(
+            vertices,
+            faces,
+            scale=scale * unit_mm * file_unit_mm,
+            up=up,
+            rotate=rotate,
+            height_mm=height_mm,
+            hole_perimeter=hole_perimeter,
+            weld_distance=weld_distance,
+        )
+    except ModelError as error:
+        raise ModelError(f"{path}: {error}") from error

@@ -23,5 +23,17 @@ pub enum CoreError {
     Io(#[from] std::io::Error),
 }
 
+impl CoreError {
+    /// The same error with the model's file before its text.
+    #[must_use]
+    pub fn in_file(self, path: &std::path::Path) -> Self {
+        match self {
+            Self::Unreadable(text) => Self::Unreadable(format!("{}: {text}", path.display())),
+            Self::NoContour(text) => Self::NoContour(format!("{}: {text}", path.display())),
+            other => other,
+        }
+    }
+}
+
 /// The core's result.
 pub type Result<T> = std::result::Result<T, CoreError>;

@@ -1,8 +1,11 @@
 //! numpy arrays at the border: validated on the way in, read-only on the way out.
 
 use glam::DVec3;
-use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
+use numpy::ndarray::ArrayView1;
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
+
+use crate::errors::ModelError;
 
 /// A read-only array of shape (N,) that takes over the vector's memory.
 pub fn vector<T: Element>(py: Python<'_>, values: Vec<T>) -> Bound<'_, PyArray1<T>> {
@@ -32,4 +35,57 @@ pub fn matrix<T: Element>(
 /// Whatever Python raises.
 pub fn points<'py>(py: Python<'py>, points: &[DVec3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
     matrix(py, points.iter().flat_map(|p| p.to_array()).collect(), 3)
+}
+
+/// Points from a float64 array of shape (N, 3).
+///
+/// # Errors
+/// `ModelError` that names the argument's dtype and shape where they differ.
+pub fn read_points(vertices: &Bound<'_, PyAny>) -> PyResult<Vec<DVec3>> {
+    let array = vertices
+        .cast::<PyArray2<f64>>()
+        .ok()
+        .filter(|array| array.shape()[1] == 3)
+        .ok_or_else(|| refused("vertices", vertices, "float64 array of shape (N, 3)"))?;
+    let array = array.try_readonly()?;
+    let rows = array.as_array();
+    Ok(rows.rows().into_iter().map(|row| DVec3::new(row[0], row[1], row[2])).collect())
+}
+
+/// Faces from an array of shape (M, 3) of int64, int32 or uint32 indices.
+///
+/// # Errors
+/// `ModelError` that names the argument's dtype and shape where they differ, and for an index
+/// beyond 32 bits.
+pub fn read_faces(faces: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
+    let read = faces_of::<i64>(faces)
+        .or_else(|| faces_of::<u32>(faces))
+        .or_else(|| faces_of::<i32>(faces));
+    match read {
+        Some(Some(read)) => Ok(read),
+        Some(None) => Err(ModelError::new_err("faces holds an index beyond 0 … 2³² − 2")),
+        None => Err(refused("faces", faces, "int64, int32 or uint32 array of shape (M, 3)")),
+    }
+}
+
+/// Faces from an array of this dtype; the inner `None` marks an index out of bounds.
+fn faces_of<T>(faces: &Bound<'_, PyAny>) -> Option<Option<Vec<[u32; 3]>>>
+where
+    T: Element + Copy + TryInto<u32>,
+{
+    let array = faces.cast::<PyArray2<T>>().ok().filter(|array| array.shape()[1] == 3)?;
+    let array = array.try_readonly().ok()?;
+    let rows = array.as_array();
+    let index = |value: T| value.try_into().ok().filter(|&v| v != u32::MAX);
+    let face = |row: ArrayView1<'_, T>| Some([index(row[0])?, index(row[1])?, index(row[2])?]);
+    Some(rows.rows().into_iter().map(face).collect())
+}
+
+fn refused(name: &str, given: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
+    let about = |what: &str| given.getattr(what).map_or_else(|_| "?".into(), |v| v.to_string());
+    ModelError::new_err(format!(
+        "{name} has dtype {} and shape {}; it must be a {wanted}",
+        about("dtype"),
+        about("shape")
+    ))
 }

@@ -27,6 +27,8 @@ mod _core {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         super::errors::register(module)?;
+        module.add("HOLE_PERIMETER", super::mesh::HOLE_PERIMETER)?;
+        module.add("WELD_DISTANCE", super::mesh::WELD_DISTANCE)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

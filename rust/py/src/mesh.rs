@@ -4,18 +4,28 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use glam::DVec3;
-use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::PyArray2;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use wireprint_core::mesh;
 use wireprint_core::mesh::place::{Placement, Up};
-use wireprint_core::mesh::{self, stl};
+use wireprint_core::mesh::repair::{Limits, RepairReport};
 
 use crate::arrays;
-use crate::errors::{ModelError, SettingError, detached};
+use crate::errors::{SettingError, detached};
+
+/// Longest perimeter of a hole that is closed, as a share of the model's diagonal: what modelling
+/// slips leave is smaller, the rims of vases and pipes are larger.
+pub const HOLE_PERIMETER: f64 = 0.1;
+/// Distance at which boundary vertices are welded, as a share of the model's diagonal: some tens
+/// of the rounding of the files' single-precision numbers.
+pub const WELD_DISTANCE: f64 = 1e-5;
 
 /// A repaired triangle mesh that stands on the bed; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Mesh {
     core: Arc<mesh::Mesh>,
+    report: RepairReport,
 }
 
 impl Mesh {
@@ -23,29 +33,34 @@ impl Mesh {
     pub fn core(&self) -> &mesh::Mesh {
         &self.core
     }
+
+    fn new((core, report): (mesh::Mesh, RepairReport)) -> Self {
+        Self { core: Arc::new(core), report }
+    }
 }
 
-fn placement(
-    scale: f64,
-    up: &str,
-    rotate: [f64; 3],
-    height_mm: Option<f64>,
-) -> PyResult<Placement> {
+fn placement(scale: f64, up: &str, rotate: [f64; 3], height: Option<f64>) -> PyResult<Placement> {
     let up = match up {
         "x" => Up::X,
         "y" => Up::Y,
         "z" => Up::Z,
         _ => return Err(SettingError::new_err(format!("up is {up:?}; it must be x, y or z"))),
     };
-    let rotate = DVec3::from(rotate.map(f64::to_radians));
-    Ok(Placement { scale, up, rotate, height: height_mm })
+    Ok(Placement { scale, up, rotate: DVec3::from(rotate.map(f64::to_radians)), height })
 }
 
 #[pymethods]
 impl Mesh {
-    /// Reads an STL file; `scale` is millimetres per unit of the file, `rotate` in degrees.
+    /// Reads an STL file.
+    ///
+    /// `scale` is in mm per unit of the file, `rotate` in degrees; `hole_perimeter` and
+    /// `weld_distance` are shares of the model's diagonal.
     #[staticmethod]
-    #[pyo3(signature = (path, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None))]
+    #[pyo3(signature = (
+        path, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None,
+        hole_perimeter=HOLE_PERIMETER, weld_distance=WELD_DISTANCE,
+    ))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python call")]
     fn load_stl(
         py: Python<'_>,
         path: PathBuf,
@@ -53,39 +68,38 @@ impl Mesh {
         up: &str,
         rotate: [f64; 3],
         height_mm: Option<f64>,
+        hole_perimeter: f64,
+        weld_distance: f64,
     ) -> PyResult<Self> {
         let placement = placement(scale, up, rotate, height_mm)?;
-        let core = detached(py, || stl::read(&path)?.placed(&placement))?;
-        Ok(Self { core: Arc::new(core) })
+        let limits = Limits { hole_perimeter, weld_distance };
+        detached(py, || mesh::Mesh::load_stl(&path, limits, &placement)).map(Self::new)
     }
 
-    /// A mesh from vertices (N, 3) float64 and faces (M, 3) int64, placed like a file.
+    /// A mesh from vertices (N, 3), float64, and faces (M, 3), an integer dtype of indices;
+    /// repaired and placed as a file is.
     #[staticmethod]
-    #[pyo3(signature = (vertices, faces, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None))]
+    #[pyo3(signature = (
+        vertices, faces, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None,
+        hole_perimeter=HOLE_PERIMETER, weld_distance=WELD_DISTANCE,
+    ))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python call")]
     fn from_arrays(
         py: Python<'_>,
-        vertices: PyReadonlyArray2<'_, f64>,
-        faces: PyReadonlyArray2<'_, i64>,
+        vertices: &Bound<'_, PyAny>,
+        faces: &Bound<'_, PyAny>,
         scale: f64,
         up: &str,
         rotate: [f64; 3],
         height_mm: Option<f64>,
+        hole_perimeter: f64,
+        weld_distance: f64,
     ) -> PyResult<Self> {
-        if vertices.shape()[1] != 3 || faces.shape()[1] != 3 {
-            return Err(ModelError::new_err("vertices and faces must have three columns"));
-        }
-        let count = vertices.shape()[0] as i64;
-        if faces.as_array().iter().any(|&v| v < 0 || v >= count) {
-            return Err(ModelError::new_err("faces name vertices that do not exist"));
-        }
-        let (vertices, faces) = (vertices.as_array(), faces.as_array());
-        let points: Vec<_> =
-            vertices.rows().into_iter().map(|r| DVec3::new(r[0], r[1], r[2])).collect();
-        let corners: Vec<_> =
-            faces.rows().into_iter().map(|r| [r[0], r[1], r[2]].map(|v| v as u32)).collect();
+        let (vertices, faces) = (arrays::read_points(vertices)?, arrays::read_faces(faces)?);
         let placement = placement(scale, up, rotate, height_mm)?;
-        let core = detached(py, || mesh::Mesh::new(points, corners).placed(&placement))?;
-        Ok(Self { core: Arc::new(core) })
+        let limits = Limits { hole_perimeter, weld_distance };
+        let build = || mesh::Mesh::from_facets(&vertices, &faces, limits, &placement);
+        detached(py, build).map(Self::new)
     }
 
     /// Vertex positions, mm, read-only float64 of shape (N, 3).
@@ -123,5 +137,15 @@ impl Mesh {
     #[getter]
     fn area(&self) -> f64 {
         self.core.area()
+    }
+
+    /// What was found and repaired: a count for each name.
+    #[getter]
+    fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let report = PyDict::new(py);
+        for (name, count) in self.report.counts() {
+            report.set_item(name, count)?;
+        }
+        Ok(report)
     }
 }

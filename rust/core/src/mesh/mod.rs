@@ -1,10 +1,29 @@
 //! Stage 1, the mesh: read, welded, repaired, oriented, placed.
 
-use glam::DVec3;
+use std::path::Path;
 
+use crate::Result;
+use glam::DVec3;
+use rayon::prelude::*;
+
+mod components;
+mod duplicates;
+mod fans;
+mod holes;
+mod needles;
+mod orient;
 pub mod place;
+pub mod repair;
+mod slivers;
+mod stitch;
 pub mod stl;
+mod surface;
 pub mod topology;
+mod union_find;
+pub mod weld;
+
+use place::Placement;
+use repair::{Limits, RepairReport};
 
 /// Marks an edge of a face that has no neighbour.
 pub const NO_FACE: u32 = u32::MAX;
@@ -21,11 +40,31 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A mesh of welded vertices and faces, with its adjacency.
-    #[must_use]
-    pub fn new(vertices: Vec<DVec3>, faces: Vec<[u32; 3]>) -> Self {
-        let neighbours = topology::neighbours(&faces);
-        Self { vertices, faces, neighbours }
+    /// Reads, repairs and places an STL file.
+    ///
+    /// # Errors
+    /// As [`stl::read`], [`repair::repair`] and [`Mesh::placed`].
+    pub fn load_stl(
+        path: &Path,
+        limits: Limits,
+        placement: &Placement,
+    ) -> Result<(Self, RepairReport)> {
+        let (vertices, faces) = stl::read(path)?;
+        finished(vertices, faces, limits, placement).map_err(|error| error.in_file(path))
+    }
+
+    /// Welds, repairs and places a mesh given as vertices and faces.
+    ///
+    /// # Errors
+    /// As [`weld::weld_facets`], [`repair::repair`] and [`Mesh::placed`].
+    pub fn from_facets(
+        vertices: &[DVec3],
+        faces: &[[u32; 3]],
+        limits: Limits,
+        placement: &Placement,
+    ) -> Result<(Self, RepairReport)> {
+        let (vertices, faces) = weld::weld_facets(vertices, faces)?;
+        finished(vertices, faces, limits, placement)
     }
 
     /// Corners of face `f`, mm.
@@ -37,8 +76,7 @@ impl Mesh {
     /// Lowest and highest coordinates, mm.
     #[must_use]
     pub fn bounds(&self) -> (DVec3, DVec3) {
-        let inverted = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        self.vertices.iter().fold(inverted, |(low, high), &v| (low.min(v), high.max(v)))
+        bounds(&self.vertices)
     }
 
     /// Enclosed volume, mm³, by the divergence theorem; meaningful where the mesh is closed.
@@ -60,4 +98,23 @@ impl Mesh {
         };
         (0..self.faces.len()).map(twofold).sum::<f64>() / 2.0
     }
+}
+
+fn finished(
+    vertices: Vec<DVec3>,
+    faces: Vec<[u32; 3]>,
+    limits: Limits,
+    placement: &Placement,
+) -> Result<(Mesh, RepairReport)> {
+    let (mesh, report) = repair::repair(vertices, faces, limits)?;
+    Ok((mesh.placed(placement)?, report))
+}
+
+/// Lowest and highest coordinates of the points.
+fn bounds(points: &[DVec3]) -> (DVec3, DVec3) {
+    let inverted = || (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    points
+        .par_iter()
+        .fold(inverted, |(low, high), &v| (low.min(v), high.max(v)))
+        .reduce(inverted, |a, b| (a.0.min(b.0), a.1.max(b.1)))
 }

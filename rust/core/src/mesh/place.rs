@@ -1,6 +1,7 @@
 //! Where a model stands: scaled, turned, centred on the bed.
 
 use glam::{DMat3, DQuat, DVec3};
+use rayon::prelude::*;
 
 use super::Mesh;
 use crate::{CoreError, Result};
@@ -35,6 +36,19 @@ const LARGEST_MM: f64 = 10_000.0;
 const SMALLEST_MM: f64 = 0.5;
 
 impl Placement {
+    fn check(&self) -> Result<()> {
+        let positive = |v: f64| v.is_finite() && v > 0.0;
+        let refused = |what: &str, value: f64, rule: &str| {
+            Err(CoreError::Setting(format!("{what} is {value}; it must be {rule}")))
+        };
+        match self.height {
+            _ if !positive(self.scale) => refused("scale", self.scale, "positive"),
+            Some(height) if !positive(height) => refused("height", height, "positive"),
+            _ if !self.rotate.is_finite() => refused("rotate", f64::NAN, "finite"),
+            _ => Ok(()),
+        }
+    }
+
     fn matrix(&self) -> DMat3 {
         let upright = match self.up {
             Up::X => DMat3::from_cols(DVec3::Z, DVec3::X, DVec3::Y),
@@ -52,17 +66,12 @@ impl Mesh {
     /// The mesh scaled and turned, its bounding box centred at x = y = 0, its lowest point at z = 0.
     ///
     /// # Errors
-    /// [`CoreError::Setting`] for a scale or height that is not positive,
-    /// [`CoreError::Unreadable`] where the placed model is too large or too small.
+    /// [`CoreError::Setting`] for a scale or height that is not positive or a rotation that is
+    /// not finite, [`CoreError::Unreadable`] where the placed model is too large or too small.
     pub fn placed(mut self, placement: &Placement) -> Result<Self> {
-        let positive = |v: f64| v.is_finite() && v > 0.0;
-        if !positive(placement.scale) || placement.height.is_some_and(|h| !positive(h)) {
-            return Err(CoreError::Setting("scale and height must be positive".into()));
-        }
+        placement.check()?;
         let matrix = placement.matrix();
-        for vertex in &mut self.vertices {
-            *vertex = matrix * *vertex;
-        }
+        self.vertices.par_iter_mut().for_each(|vertex| *vertex = matrix * *vertex);
         let (low, high) = self.bounds();
         let factor = match placement.height {
             Some(height) if high.z > low.z => height / (high.z - low.z),
@@ -71,22 +80,32 @@ impl Mesh {
             }
             None => 1.0,
         };
-        let size = (high - low) * factor;
-        let text = format!("{:.6} × {:.6} × {:.6} mm", size.x, size.y, size.z);
-        if !size.is_finite() || size.max_element() > LARGEST_MM {
-            return Err(CoreError::Unreadable(format!(
-                "the model is too large: {text}; set --scale, --units or --height"
-            )));
-        }
-        if size.max_element() < SMALLEST_MM {
-            return Err(CoreError::Unreadable(format!(
-                "the model is tiny: {text}; set --units (m, inch …), --scale or --height"
-            )));
-        }
+        check_size((high - low) * factor)?;
         let foot = DVec3::new((low.x + high.x) / 2.0, (low.y + high.y) / 2.0, low.z);
-        for vertex in &mut self.vertices {
-            *vertex = (*vertex - foot) * factor;
-        }
+        self.vertices.par_iter_mut().for_each(|vertex| *vertex = (*vertex - foot) * factor);
         Ok(self)
     }
+}
+
+fn check_size(size: DVec3) -> Result<()> {
+    let largest = size.max_element();
+    let advice = if !size.is_finite() || largest > LARGEST_MM {
+        "too large: shrink it by --scale, --units or --height"
+    } else if largest < SMALLEST_MM {
+        "tiny: perhaps it is in metres or inches; set --units, --scale or --height"
+    } else {
+        return Ok(());
+    };
+    Err(CoreError::Unreadable(format!(
+        "the model measures {} × {} × {} mm and is {advice}",
+        rounded(size.x),
+        rounded(size.y),
+        rounded(size.z)
+    )))
+}
+
+/// The length with four significant digits.
+fn rounded(length: f64) -> String {
+    let digits = (3.0 - length.abs().max(1e-9).log10().floor()).clamp(0.0, 12.0);
+    format!("{length:.*}", digits as usize)
 }

@@ -1,0 +1,99 @@
+//! Facets that occur more than once.
+//!
+//! Of facets with the same vertices and direction, the first is kept. Facets with the same
+//! vertices and opposite directions are either a sheet that was modelled from both sides (then
+//! every facet of the sheet has such a twin, and one side is kept) or a wall inside a body
+//! (then both go, and what surrounds them stays closed).
+
+use std::collections::HashMap;
+
+use super::surface::Surface;
+
+/// Drops repeated facets and returns how many.
+pub fn drop_duplicates(surface: &mut Surface) -> usize {
+    let mut suspects = suspects(surface);
+    if suspects.is_empty() {
+        return 0;
+    }
+    let sorted = |f: u32| {
+        let mut corners = surface.faces[f as usize];
+        corners.sort_unstable();
+        corners
+    };
+    suspects.sort_unstable_by_key(|&f| (sorted(f), f));
+    let mut dropped = vec![false; surface.faces.len()];
+    let mut twin = HashMap::new();
+    for equal in suspects.chunk_by(|&f, &g| sorted(f) == sorted(g)) {
+        let first = equal[0];
+        let mut reverse = None;
+        for &f in &equal[1..] {
+            let turned =
+                is_even(surface.faces[f as usize]) != is_even(surface.faces[first as usize]);
+            if turned && reverse.is_none() {
+                reverse = Some(f);
+            } else {
+                dropped[f as usize] = true;
+            }
+        }
+        if let Some(reverse) = reverse {
+            twin.insert(first, reverse);
+            twin.insert(reverse, first);
+        }
+    }
+    drop_twins(surface, &twin, &mut dropped);
+    surface.drop_faces(&dropped)
+}
+
+/// Faces on edges of more than two faces, and pairs of faces that share all their edges.
+fn suspects(surface: &Surface) -> Vec<u32> {
+    let mut faces: Vec<u32> = surface.fans.iter().flatten().map(|h| h / 3).collect();
+    let bubble = |&f: &usize| {
+        let [a, b, c] = surface.neighbours[f];
+        a == b && b == c && a != super::NO_FACE
+    };
+    faces.extend((0..surface.faces.len()).filter(bubble).map(|f| f as u32));
+    faces.sort_unstable();
+    faces.dedup();
+    faces
+}
+
+/// Whether the corners are an even permutation of their sorted order.
+fn is_even([a, b, c]: [u32; 3]) -> bool {
+    [a > b, b > c, a > c].iter().filter(|&&inversion| inversion).count() % 2 == 0
+}
+
+/// Marks one side of every sheet whose facets all have twins, and both of all other twins.
+fn drop_twins(surface: &Surface, twin: &HashMap<u32, u32>, dropped: &mut [bool]) {
+    let mut around: HashMap<u32, &[u32]> = HashMap::new();
+    for fan in &surface.fans {
+        around.extend(fan.iter().map(|&h| (h, fan.as_slice())));
+    }
+    let mut seen = vec![false; if twin.is_empty() { 0 } else { surface.faces.len() }];
+    let mut keys: Vec<u32> = twin.keys().copied().collect();
+    keys.sort_unstable();
+    for &start in &keys {
+        if seen[start as usize] {
+            continue;
+        }
+        let (mut sheet, mut next, mut closed) = (vec![start], 0, true);
+        seen[start as usize] = true;
+        while let Some(&f) = sheet.get(next) {
+            next += 1;
+            for i in 0..3 {
+                let fan = around.get(&(3 * f + i)).copied().unwrap_or_default();
+                let across = surface.neighbours[f as usize][i as usize];
+                let one = (fan.is_empty() && across != super::NO_FACE).then_some(across);
+                for g in fan.iter().map(|h| h / 3).chain(one).filter(|&g| !dropped[g as usize]) {
+                    if !twin.contains_key(&g) {
+                        closed = false;
+                    } else if !std::mem::replace(&mut seen[g as usize], true) {
+                        sheet.push(g);
+                    }
+                }
+            }
+        }
+        for f in sheet {
+            dropped[f as usize] = !closed || twin[&f] < f;
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! Orientation: consistent within a body, outward between bodies.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::components::Bodies;
+use super::holes::Rim;
+use super::surface::Surface;
+use super::{NO_FACE, topology};
+
+/// What making the orientation consistent did.
+#[derive(Debug, Default, Clone, Copy)]
+pub struct Oriented {
+    /// Facets that were reversed.
+    pub flipped: usize,
+    /// Bodies that have no two sides, like a Möbius strip.
+    pub one_sided: usize,
+}
+
+/// Makes neighbouring faces traverse their edge in opposite directions, as most of their body's
+/// faces have it.
+pub fn make_consistent(surface: &mut Surface) -> Oriented {
+    let mut result = Oriented::default();
+    if surface.opposed == 0 {
+        return result;
+    }
+    let mut reversed: Vec<Option<bool>> = vec![None; surface.faces.len()];
+    let mut body = Vec::new();
+    for start in 0..surface.faces.len() {
+        if reversed[start].is_some() {
+            continue;
+        }
+        let conflict = spread(surface, start, &mut reversed, &mut body);
+        result.one_sided += usize::from(conflict);
+        let wrong = body.iter().filter(|&&f| reversed[f] == Some(true)).count();
+        let minority = 2 * wrong <= body.len();
+        for &f in body.iter().filter(|&&f| reversed[f] == Some(minority)) {
+            surface.flip(f);
+            result.flipped += 1;
+        }
+    }
+    if !surface.fans.is_empty() {
+        // Wedges of solid are known only now.
+        surface.connect();
+    }
+    result
+}
+
+/// Visits a body from `start`, noting in `reversed` which faces run against it; returns whether
+/// some face runs both ways.
+fn spread(
+    surface: &Surface,
+    start: usize,
+    reversed: &mut [Option<bool>],
+    body: &mut Vec<usize>,
+) -> bool {
+    body.clear();
+    body.push(start);
+    reversed[start] = Some(false);
+    let (mut next, mut conflict) = (0, false);
+    while let Some(&f) = body.get(next) {
+        next += 1;
+        for i in 0..3 {
+            let g = surface.neighbours[f][i];
+            if g == NO_FACE {
+                continue;
+            }
+            let own = topology::ends(&surface.faces, (3 * f + i) as u32);
+            let same = (0..3).any(|j| topology::ends(&surface.faces, 3 * g + j) == own);
+            let expected = reversed[f].map(|r| r != same);
+            match reversed[g as usize] {
+                None => {
+                    reversed[g as usize] = expected;
+                    body.push(g as usize);
+                }
+                known => conflict |= known != expected,
+            }
+        }
+    }
+    conflict
+}
+
+/// Turns bodies outward: the outermost ones get positive volume, and a body within others is a
+/// cavity where the file orients it against them. Returns which bodies were reversed, and the
+/// number of cavities.
+pub fn outward(surface: &Surface, bodies: &Bodies, rims: &[Rim]) -> (Vec<bool>, usize) {
+    let all = &bodies.all;
+    let mut reverse = vec![false; all.len()];
+    if all.iter().all(|body| body.volume >= 0.0) {
+        return (reverse, 0);
+    }
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    order.sort_by(|&a, &b| all[b].volume.abs().total_cmp(&all[a].volume.abs()).then(a.cmp(&b)));
+    let members = Members::new(bodies, rims, surface);
+    let mut cavities = 0;
+    for (rank, &c) in order.iter().enumerate() {
+        let around = order[..rank].iter().copied().filter(|&d| all[d].may_contain(&all[c]));
+        let around: Vec<usize> = around.collect();
+        let plain = all[c].volume >= 0.0 && !around.iter().any(|&d| reverse[d]);
+        if plain {
+            continue;
+        }
+        let [p, q, r] = surface.corners(all[c].first as usize);
+        let inside = |&d: &usize| members.winding(surface, d, (p + q + r) / 3.0).abs() > 0.5;
+        let around: Vec<usize> = around.into_iter().filter(inside).collect();
+        let sign =
+            |d: usize, reversed: bool| if (all[d].volume < 0.0) != reversed { -1 } else { 1 };
+        let winding: i32 = around.iter().map(|&d| sign(d, reverse[d])).sum();
+        let follow = around.first().is_some_and(|&outermost| reverse[outermost]);
+        let cavity = sign(c, follow) < 0 && winding > 0;
+        reverse[c] = (sign(c, false) < 0) != cavity;
+        cavities += usize::from(cavity);
+    }
+    (reverse, cavities)
+}
+
+/// The faces of each body and the fans that close it.
+struct Members {
+    faces: Vec<Vec<u32>>,
+    fans: Vec<Vec<[DVec3; 3]>>,
+}
+
+impl Members {
+    fn new(bodies: &Bodies, rims: &[Rim], surface: &Surface) -> Self {
+        let mut faces = vec![Vec::new(); bodies.all.len()];
+        for (f, &label) in bodies.of.iter().enumerate() {
+            faces[label as usize].push(f as u32);
+        }
+        let mut fans = vec![Vec::new(); bodies.all.len()];
+        for rim in rims {
+            let label = bodies.of[rim.face as usize];
+            fans[label as usize].extend(rim.fan(surface));
+        }
+        Self { faces, fans }
+    }
+
+    /// How often body `d` winds around the point.
+    ///
+    /// Solid angle of a triangle: Van Oosterom and Strackee, 1983.
+    fn winding(&self, surface: &Surface, d: usize, point: DVec3) -> f64 {
+        let angle = |corners: [DVec3; 3]| {
+            let [a, b, c] = corners.map(|p| p - point);
+            let (la, lb, lc) = (a.length(), b.length(), c.length());
+            let along = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+            2.0 * a.dot(b.cross(c)).atan2(along)
+        };
+        let faces: Vec<f64> =
+            self.faces[d].par_iter().map(|&f| angle(surface.corners(f as usize))).collect();
+        let rims = self.fans[d].iter().map(|&corners| angle(corners));
+        faces.into_iter().chain(rims).sum::<f64>() / (4.0 * std::f64::consts::PI)
+    }
+}

@@ -1,0 +1,84 @@
+//! Binary STL: 80 bytes of header, a 32-bit count, 50 bytes a facet, little-endian.
+
+use super::{Chunks, MOST_FACETS, Source, bits, read_chunks};
+use crate::Result;
+use crate::mesh::weld::{CHUNK_CORNERS, Collector};
+
+const HEADER: u64 = 84;
+const FACET: usize = 50;
+/// The corners within a facet, after the normal.
+const CORNERS: std::ops::Range<usize> = 12..48;
+/// One byte in this many may be a control character in a (damaged) text.
+const MOST_CONTROL_SHARE: usize = 16;
+const CHUNK_FACETS: usize = CHUNK_CORNERS / 3;
+
+/// Number of facets of a binary file, or nothing where the file is text.
+pub fn facets(source: &Source, head: &[u8]) -> Result<Option<u64>> {
+    let count = match head.get(80..84) {
+        Some(&[a, b, c, d]) => u64::from(u32::from_le_bytes([a, b, c, d])),
+        _ if is_text(head) => return Ok(None),
+        _ => return Err(source.error("the file is too short for an STL (84 bytes at least)")),
+    };
+    if source.len != HEADER + count * FACET as u64 {
+        return if is_text(head) { Ok(None) } else { Err(disagreement(source, count)) };
+    }
+    if count > MOST_FACETS {
+        return Err(source.error(format!("{count} facets are too many (at most {MOST_FACETS})")));
+    }
+    Ok(Some(count))
+}
+
+/// Whether the bytes are text, be it text with a few stray control characters.
+fn is_text(head: &[u8]) -> bool {
+    let control = head.iter().filter(|b| b.is_ascii_control() && !b.is_ascii_whitespace()).count();
+    control <= head.len() / MOST_CONTROL_SHARE
+}
+
+fn disagreement(source: &Source, count: u64) -> crate::CoreError {
+    let held = (source.len - HEADER) / FACET as u64;
+    let cause = if held < count { "it is truncated" } else { "it holds more than it declares" };
+    source.error(format!(
+        "the count at byte 80 declares {count} facets, the {} bytes of the file hold {held}: \
+         {cause}, or no STL; export it again",
+        source.len
+    ))
+}
+
+/// Reads the facets in chunks on all threads.
+pub fn read(source: &Source, facets: u64) -> Result<Chunks> {
+    let chunks = facets.div_ceil(CHUNK_FACETS as u64);
+    read_chunks(chunks, Default::default, |(buffer, collector): &mut (_, Collector<_>), c| {
+        let first = c * CHUNK_FACETS as u64;
+        let count = (facets - first).min(CHUNK_FACETS as u64) as usize;
+        source.fill(buffer, HEADER + first * FACET as u64, count * FACET)?;
+        if buffer.len() != count * FACET {
+            return Err(source.error("the file shrank while it was read"));
+        }
+        for (f, facet) in buffer.chunks_exact(FACET).enumerate() {
+            for (v, corner) in facet[CORNERS].chunks_exact(12).enumerate() {
+                let point = corner_point(corner);
+                match point.map(bits) {
+                    [Some(x), Some(y), Some(z)] => collector.push([x, y, z]),
+                    _ => return Err(bad_corner(source, first + f as u64, v, point)),
+                }
+            }
+        }
+        Ok(collector.finish())
+    })
+}
+
+fn corner_point(bytes: &[u8]) -> [f32; 3] {
+    [0, 4, 8].map(|i| f32::from_le_bytes([bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]]))
+}
+
+fn bad_corner(source: &Source, facet: u64, corner: usize, point: [f32; 3]) -> crate::CoreError {
+    let byte = HEADER + facet * FACET as u64 + (CORNERS.start + 12 * corner) as u64;
+    source.error(format!(
+        "facet {} has the corner ({}, {}, {}) at byte {byte}: not a finite, sensible coordinate; \
+         the file is damaged, export it again",
+        facet + 1,
+        point[0],
+        point[1],
+        point[2]
+    ))
+}

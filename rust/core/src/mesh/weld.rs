@@ -1,0 +1,296 @@
+//! Exact welding: corners with equal coordinates become one vertex.
+//!
+//! Corners come in chunks. Each chunk finds its own distinct keys with a table that fits the
+//! cache; the distinct keys of all chunks then meet in partitions of their hashes. Vertices are
+//! numbered by first occurrence, so the result does not depend on the number of threads.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::{CoreError, Result};
+
+/// Most corners of one chunk, so that a chunk's own indices fit 16 bits.
+pub const CHUNK_CORNERS: usize = 3 << 14;
+/// Slots of a chunk's table: the next power of two above its corners.
+const CHUNK_SLOTS: usize = 1 << 16;
+/// Partitions of the hashes; a power of two.
+const PARTITIONS: usize = 64;
+const EMPTY: u32 = u32::MAX;
+/// Largest magnitude of a coordinate, in the file's unit; beyond it no unit makes sense.
+pub const LARGEST: f64 = 1e9;
+
+/// The bits of a point's coordinates, with −0 stored as 0.
+pub trait Key: Copy + Eq + Send + Sync {
+    /// A hash whose high and low bits are both well mixed.
+    fn hash(self) -> u64;
+    /// The point.
+    fn point(self) -> DVec3;
+}
+
+fn mix(a: u64, b: u64, c: u64) -> u64 {
+    // Odd constants of the golden ratio and of murmur3's finaliser.
+    let sum = (a.wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(23) ^ b)
+        .wrapping_mul(0xFF51_AFD7_ED55_8CCD)
+        .rotate_left(29)
+        ^ c;
+    let hash = sum.wrapping_mul(0xC4CE_B9FE_1A85_EC53);
+    (hash ^ (hash >> 32)).wrapping_mul(0x9E37_79B9_7F4A_7C15)
+}
+
+impl Key for [u32; 3] {
+    fn hash(self) -> u64 {
+        mix(self[0].into(), self[1].into(), self[2].into())
+    }
+    fn point(self) -> DVec3 {
+        DVec3::from(self.map(|bits| f64::from(f32::from_bits(bits))))
+    }
+}
+
+impl Key for [u64; 3] {
+    fn hash(self) -> u64 {
+        mix(self[0], self[1], self[2])
+    }
+    fn point(self) -> DVec3 {
+        DVec3::from(self.map(f64::from_bits))
+    }
+}
+
+/// Welds faces given by vertices: those with equal coordinates become one, unused ones go.
+///
+/// # Errors
+/// [`CoreError::Unreadable`] for a coordinate that is not finite or absurd, and for a face that
+/// names a vertex that does not exist.
+pub fn weld_facets(vertices: &[DVec3], faces: &[[u32; 3]]) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
+    let chunks: Vec<_> = faces
+        .par_chunks(CHUNK_CORNERS / 3)
+        .map_init(Collector::default, |collector, chunk| {
+            for &v in chunk.as_flattened() {
+                collector.push(key(vertices, v)?);
+            }
+            Ok(collector.finish())
+        })
+        .collect();
+    let chunks = chunks.into_iter().collect::<Result<Vec<_>>>()?;
+    let mut welded = vec![[0; 3]; faces.len()];
+    let points = weld(&chunks, welded.as_flattened_mut());
+    Ok((points, welded))
+}
+
+fn key(vertices: &[DVec3], v: u32) -> Result<[u64; 3]> {
+    let Some(point) = vertices.get(v as usize) else {
+        return Err(CoreError::Unreadable(format!(
+            "a face names vertex {v}, but there are {} vertices",
+            vertices.len()
+        )));
+    };
+    if point.abs().cmple(DVec3::splat(LARGEST)).all() {
+        // Adding 0 turns −0 into 0 and changes nothing else.
+        return Ok(point.to_array().map(|x| (x + 0.0).to_bits()));
+    }
+    Err(CoreError::Unreadable(format!(
+        "vertex {v} is {point}: not a finite, sensible coordinate; export the model again"
+    )))
+}
+
+/// A hash table of indices into a list of distinct keys.
+struct Table {
+    slots: Vec<u32>,
+}
+
+impl Table {
+    fn new(slots: usize) -> Self {
+        Self { slots: vec![EMPTY; slots] }
+    }
+
+    /// Index of the key in `keys`, where it is appended if it is new.
+    fn index<K: Key>(&mut self, key: K, keys: &mut Vec<K>) -> u32 {
+        let mask = self.slots.len() - 1;
+        let mut slot = key.hash() as usize & mask;
+        loop {
+            match self.slots[slot] {
+                EMPTY => {
+                    let index = keys.len() as u32;
+                    self.slots[slot] = index;
+                    keys.push(key);
+                    return index;
+                }
+                index if keys[index as usize] == key => return index,
+                _ => slot = (slot + 1) & mask,
+            }
+        }
+    }
+}
+
+/// At most [`CHUNK_CORNERS`] corners: their distinct keys, and which of them each corner has.
+pub struct Chunk<K> {
+    keys: Vec<K>,
+    corners: Vec<u16>,
+}
+
+impl<K: Key> Chunk<K> {
+    /// Number of corners.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// Whether the chunk has no corner.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.corners.is_empty()
+    }
+}
+
+/// Collects the corners of one chunk after the other.
+pub struct Collector<K> {
+    table: Table,
+    keys: Vec<K>,
+    corners: Vec<u16>,
+}
+
+impl<K: Key> Default for Collector<K> {
+    fn default() -> Self {
+        Self { table: Table::new(CHUNK_SLOTS), keys: Vec::new(), corners: Vec::new() }
+    }
+}
+
+impl<K: Key> Collector<K> {
+    /// Adds a corner; a chunk holds at most [`CHUNK_CORNERS`].
+    pub fn push(&mut self, key: K) {
+        assert!(self.corners.len() < CHUNK_CORNERS, "a chunk is full");
+        self.corners.push(self.table.index(key, &mut self.keys) as u16);
+    }
+
+    /// The chunk of all corners since the last call.
+    pub fn finish(&mut self) -> Chunk<K> {
+        self.table.slots.fill(EMPTY);
+        let chunk =
+            Chunk { keys: self.keys.as_slice().into(), corners: self.corners.as_slice().into() };
+        self.keys.clear();
+        self.corners.clear();
+        chunk
+    }
+}
+
+/// A chunk's distinct keys in the order of their partitions.
+struct Split {
+    /// Indices of the chunk's keys, partition after partition.
+    order: Vec<u16>,
+    /// Where each partition begins in `order`; one entry more than partitions.
+    starts: Vec<usize>,
+}
+
+fn partition<K: Key>(key: K) -> usize {
+    (key.hash() >> 32) as usize % PARTITIONS
+}
+
+impl Split {
+    fn new<K: Key>(keys: &[K]) -> Self {
+        let mut starts = vec![0; PARTITIONS + 1];
+        for &key in keys {
+            starts[partition(key) + 1] += 1;
+        }
+        for p in 0..PARTITIONS {
+            starts[p + 1] += starts[p];
+        }
+        let mut next = starts.clone();
+        let mut order = vec![0; keys.len()];
+        for (k, &key) in keys.iter().enumerate() {
+            let slot = &mut next[partition(key)];
+            order[*slot] = k as u16;
+            *slot += 1;
+        }
+        Self { order, starts }
+    }
+
+    fn part(&self, p: usize) -> &[u16] {
+        &self.order[self.starts[p]..self.starts[p + 1]]
+    }
+}
+
+/// One partition of all chunks' keys.
+struct Part {
+    /// For each chunk, where its keys begin in `index`.
+    starts: Vec<usize>,
+    /// For each key of each chunk, the distinct key of the partition that it equals.
+    index: Vec<u32>,
+    /// For each distinct key, the chunk and the key of its first occurrence.
+    first: Vec<(u32, u16)>,
+}
+
+impl Part {
+    fn new<K: Key>(p: usize, chunks: &[Chunk<K>], splits: &[Split]) -> Self {
+        let count: usize = splits.iter().map(|split| split.part(p).len()).sum();
+        let mut table = Table::new((2 * count).next_power_of_two());
+        let (mut keys, mut first) = (Vec::new(), Vec::new());
+        let (mut starts, mut index) = (Vec::with_capacity(chunks.len()), Vec::with_capacity(count));
+        for (c, (chunk, split)) in chunks.iter().zip(splits).enumerate() {
+            starts.push(index.len());
+            for &k in split.part(p) {
+                let found = table.index(chunk.keys[k as usize], &mut keys);
+                if first.len() < keys.len() {
+                    first.push((c as u32, k));
+                }
+                index.push(found);
+            }
+        }
+        Self { starts, index, first }
+    }
+}
+
+/// Welds the corners of all chunks.
+///
+/// Writes the vertex of every corner into `ids`, whose length is the chunks' total, and returns
+/// the vertices in the order of their first occurrence.
+#[must_use]
+pub fn weld<K: Key>(chunks: &[Chunk<K>], ids: &mut [u32]) -> Vec<DVec3> {
+    let splits: Vec<Split> = chunks.par_iter().map(|chunk| Split::new(&chunk.keys)).collect();
+    let parts: Vec<Part> =
+        (0..PARTITIONS).into_par_iter().map(|p| Part::new(p, chunks, &splits)).collect();
+    let (own, vertices) = number(chunks, &parts);
+    let mut rest = ids;
+    let mut targets = Vec::with_capacity(chunks.len());
+    for chunk in chunks {
+        let (target, tail) = rest.split_at_mut(chunk.len());
+        targets.push(target);
+        rest = tail;
+    }
+    targets.into_par_iter().enumerate().for_each(|(c, target)| {
+        let map = key_ids(c, &splits[c], &parts, &own);
+        for (id, &corner) in target.iter_mut().zip(&chunks[c].corners) {
+            *id = map[corner as usize];
+        }
+    });
+    vertices
+}
+
+/// Numbers first occurrences in the order of chunks and keys: for each chunk's key its vertex,
+/// or [`EMPTY`] where the key occurred in an earlier chunk; and the vertices.
+fn number<K: Key>(chunks: &[Chunk<K>], parts: &[Part]) -> (Vec<Vec<u32>>, Vec<DVec3>) {
+    let mut own: Vec<Vec<u32>> = chunks.iter().map(|chunk| vec![EMPTY; chunk.keys.len()]).collect();
+    for &(c, k) in parts.iter().flat_map(|part| &part.first) {
+        own[c as usize][k as usize] = 0;
+    }
+    let mut vertices = Vec::with_capacity(parts.iter().map(|part| part.first.len()).sum());
+    for (ids, chunk) in own.iter_mut().zip(chunks) {
+        for (id, key) in ids.iter_mut().zip(&chunk.keys) {
+            if *id != EMPTY {
+                *id = vertices.len() as u32;
+                vertices.push(key.point());
+            }
+        }
+    }
+    (own, vertices)
+}
+
+/// The vertex of each key of chunk `c`.
+fn key_ids(c: usize, split: &Split, parts: &[Part], own: &[Vec<u32>]) -> Vec<u32> {
+    let mut map = own[c].clone();
+    for (p, part) in parts.iter().enumerate() {
+        for (&k, &index) in split.part(p).iter().zip(&part.index[part.starts[c]..]) {
+            let (first_chunk, first_key) = part.first[index as usize];
+            map[k as usize] = own[first_chunk as usize][first_key as usize];
+        }
+    }
+    map
+}
