@@ -10,6 +10,8 @@ import numpy.typing as npt
 from wireprint.limits import MotionTable
 
 __all__ = [
+    "HOLE_PERIMETER",
+    "WELD_DISTANCE",
     "Estimate",
     "GcodeError",
     "Mesh",
@@ -36,6 +38,9 @@ class SettingError(WireprintError): ...
 class UnprintableError(WireprintError): ...
 class GcodeError(WireprintError): ...
 
+HOLE_PERIMETER: float
+WELD_DISTANCE: float
+
 @final
 class Mesh:
     @staticmethod
@@ -46,16 +51,20 @@ class Mesh:
         up: str = "z",
         rotate: tuple[float, float, float] = ...,
         height_mm: float | None = None,
+        hole_perimeter: float = ...,
+        weld_distance: float = ...,
     ) -> Mesh: ...
     @staticmethod
     def from_arrays(
         vertices: npt.NDArray[np.float64],
-        faces: npt.NDArray[np.int64],
+        faces: npt.NDArray[np.int64 | np.int32 | np.uint32],
         *,
         scale: float = 1.0,
         up: str = "z",
         rotate: tuple[float, float, float] = ...,
         height_mm: float | None = None,
+        hole_perimeter: float = ...,
+        weld_distance: float = ...,
     ) -> Mesh: ...
     @property
     def vertices(self) -> npt.NDArray[np.float64]: ...
@@ -69,6 +78,8 @@ class Mesh:
     def volume(self) -> float: ...
     @property
     def area(self) -> float: ...
+    @property
+    def report(self) -> dict[str, int]: ...
 
 _Rgb: TypeAlias = tuple[int, int, int]
 

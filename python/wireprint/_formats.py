@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zipfile
+from collections import Counter
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Final
 
@@ -11,6 +12,7 @@ from wireprint._core import ModelError
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+    import trimesh
 
 #: Formats that trimesh reads for us.
 FORMATS: Final = ("obj", "ply", "off", "3mf")
@@ -74,18 +76,18 @@ def read_facets(
     return vertices, faces, unit_mm
 
 
-def _joined(scene: object) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+def _joined(scene: trimesh.Scene) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
     """Join the meshes of a trimesh scene, each where its transform puts it."""
     import numpy as np
+    import trimesh
 
-    graph, geometry = scene.graph, scene.geometry  # type: ignore[attr-defined]
     vertices = [np.zeros((0, 3))]
     faces = [np.zeros((0, 3), np.int64)]
     count = 0
-    for node in graph.nodes_geometry:
-        matrix, name = graph[node]
-        mesh = geometry[name]
-        if not hasattr(mesh, "faces"):
+    for node in scene.graph.nodes_geometry:
+        matrix, name = scene.graph[node]
+        mesh = scene.geometry[name]
+        if not isinstance(mesh, trimesh.Trimesh):
             continue
         mirrored = np.linalg.det(matrix[:3, :3]) < 0
         vertices.append(mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3])
@@ -121,8 +123,8 @@ def _checked_3mf(path: Path) -> float:
 
 
 def _unit_and_copies(part: IO[bytes]) -> tuple[str, int]:
-    """Unit of a 3MF model part, and how many objects its build places, capped."""
-    from lxml import etree
+    """Read the unit of a 3MF model part and how many objects its build places, capped."""
+    from lxml import etree  # type: ignore[import-untyped]
 
     unit = "millimeter"
     components: dict[str, list[str]] = {}
@@ -146,8 +148,12 @@ def _unit_and_copies(part: IO[bytes]) -> tuple[str, int]:
 
 def _copies(items: list[str], components: dict[str, list[str]]) -> int:
     """Count the objects that the items place, directly and as components; capped on cycles."""
-    copies, level = 0, items
+    copies, level = 0, Counter(items)
     while level and copies <= _MOST_COPIES:
-        copies += len(level)
-        level = [child for name in level for child in components.get(name, ())]
+        copies += level.total()
+        below: Counter[str] = Counter()
+        for name, times in level.items():
+            for child in components.get(name, ()):
+                below[child] += times
+        level = below
     return copies

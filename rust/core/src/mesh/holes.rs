@@ -1,7 +1,5 @@
 //! Boundary loops: small ones are closed, large ones are rims of an open model.
 
-use std::collections::HashSet;
-
 use glam::DVec3;
 
 use super::NO_FACE;
@@ -43,16 +41,15 @@ pub struct Holes {
     pub facets: usize,
 }
 
-/// Closes every loop of three edges and those whose perimeter is at most `perimeter` (file
+/// Closes every loop of three edges (but not around a single facet) and those whose perimeter is at most `perimeter` (file
 /// units).
 pub fn close(surface: &mut Surface, perimeter: f64) -> Holes {
     let mut holes = Holes::default();
-    let known: HashSet<[u32; 3]> = surface.faces.iter().map(|&face| sorted(face)).collect();
     let before = surface.faces.len();
     for rim in rims(surface) {
         let points = rim.points(surface);
-        let rim = rim.vertices;
-        let single = rim.len() == 3 && !known.contains(&sorted([rim[0], rim[1], rim[2]]));
+        let (rim, along) = (rim.vertices, surface.faces[rim.face as usize]);
+        let single = rim.len() == 3 && sorted([rim[0], rim[1], rim[2]]) != sorted(along);
         let small = rim.len() > 3 && length(&points) <= perimeter;
         if !single && !small {
             continue;

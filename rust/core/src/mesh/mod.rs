@@ -24,6 +24,7 @@ pub mod weld;
 
 use place::Placement;
 use repair::{Limits, RepairReport};
+use surface::Surface;
 
 /// Marks an edge of a face that has no neighbour.
 pub const NO_FACE: u32 = u32::MAX;
@@ -40,6 +41,18 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// A mesh of welded vertices and faces, with its adjacency and without any repair.
+    ///
+    /// Each face must have three different vertices, all below the number of vertices. At edges
+    /// with more than two faces these are paired so that manifold sheets remain.
+    ///
+    /// # Panics
+    /// Where a face names a vertex that does not exist.
+    #[must_use]
+    pub fn new(vertices: Vec<DVec3>, faces: Vec<[u32; 3]>) -> Self {
+        Surface::new(vertices, faces).into()
+    }
+
     /// Reads, repairs and places an STL file.
     ///
     /// # Errors

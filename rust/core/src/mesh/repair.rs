@@ -136,8 +136,7 @@ pub fn repair(
     }
     report.boundary_edges = surface.boundary;
     report.nonmanifold_edges = surface.fans.len();
-    let Surface { vertices, faces, neighbours, .. } = surface;
-    Ok((Mesh { vertices, faces, neighbours }, report))
+    Ok((surface.into(), report))
 }
 
 fn close_holes(surface: &mut Surface, limits: Limits, report: &mut RepairReport) {

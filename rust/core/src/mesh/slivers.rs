@@ -1,8 +1,8 @@
 //! Facets without area, whose three vertices differ: they have no normal to go by.
 //!
-//! Where two vertices nearly coincide, [`needles`] draws them together. Otherwise the facet lies along its longest edge. The edge shared with the facet beyond it is turned
-//! so that both get area; the surface does not move by more than the facet's height. At a
-//! boundary the facet is dropped.
+//! Where two vertices nearly coincide, [`needles`] draws them together. Otherwise the facet lies
+//! along its longest edge: the edge is turned so that both facets beside it get area, and the
+//! surface does not move by more than the facet's height. At a boundary the facet is dropped.
 
 use std::collections::HashSet;
 
@@ -46,13 +46,10 @@ pub fn remove(surface: &mut Surface) -> Slivers {
 
 /// Turns the longest edges of flat facets, in rounds; leaves those that resist in `flat`.
 fn turn_all(surface: &mut Surface, limit: f64, flat: &mut Vec<usize>, result: &mut Slivers) {
-    let mut edges: HashSet<(u32, u32)> = HashSet::new();
-    for h in 0..3 * surface.faces.len() as u32 {
-        edges.insert(sorted(topology::ends(&surface.faces, h)));
-    }
     let mut dropped = vec![false; surface.faces.len()];
     for _ in 0..ROUNDS {
         let mut changed = false;
+        let mut edges = edges_near(surface, flat);
         for &f in flat.iter() {
             let longest = longest_edge(surface, f);
             if dropped[f] || height(surface, surface.faces[f]) > limit {
@@ -74,6 +71,18 @@ fn turn_all(surface: &mut Surface, limit: f64, flat: &mut Vec<usize>, result: &m
     }
     flat.retain(|&f| !dropped[f]);
     surface.drop_faces(&dropped);
+}
+
+/// Every edge at a vertex of the faces or of their neighbours.
+fn edges_near(surface: &Surface, faces: &[usize]) -> HashSet<(u32, u32)> {
+    let across = faces.iter().flat_map(|&f| surface.neighbours[f]).filter(|&g| g != NO_FACE);
+    let near = faces.iter().copied().chain(across.map(|g| g as usize));
+    let vertices: HashSet<u32> = near.flat_map(|f| surface.faces[f]).collect();
+    (0..3 * surface.faces.len() as u32)
+        .map(|h| topology::ends(&surface.faces, h))
+        .filter(|(a, b)| vertices.contains(a) || vertices.contains(b))
+        .map(sorted)
+        .collect()
 }
 
 /// Facets whose height is at most `limit`, ascending.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::topology::Adjacency;
-use super::{NO_FACE, fans};
+use super::{Mesh, NO_FACE, fans};
 
 /// A mesh under repair.
 #[derive(Debug, Default)]
@@ -54,6 +54,9 @@ impl Surface {
 
     /// Half-edges without a neighbour, ascending.
     pub fn open_halves(&self) -> Vec<u32> {
+        if self.boundary == 0 {
+            return Vec::new();
+        }
         let open = |(f, edges): (usize, &[u32; 3])| {
             let edges = *edges;
             (0..3).filter(move |&i| edges[i] == NO_FACE).map(move |i| (3 * f + i) as u32)
@@ -96,5 +99,12 @@ impl Surface {
         for v in self.faces.as_flattened_mut() {
             *v = map[*v as usize];
         }
+    }
+}
+
+impl From<Surface> for Mesh {
+    fn from(surface: Surface) -> Self {
+        let Surface { vertices, faces, neighbours, .. } = surface;
+        Self { vertices, faces, neighbours }
     }
 }
