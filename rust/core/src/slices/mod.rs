@@ -2,6 +2,9 @@
 
 mod cut;
 mod ranks;
+pub mod features;
+pub mod heights;
+mod profile;
 
 use glam::DVec2;
 

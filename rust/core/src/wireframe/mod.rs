@@ -1,6 +1,7 @@
 //! Stage 4, the wireframe: strips, posts, strands.
 
 pub mod strips;
+pub mod curve;
 
 use glam::DVec3;
 

@@ -1,0 +1,301 @@
+//! Where to slice: a shortest path over candidate heights.
+//!
+//! Slices are wanted at every feature; between them as few as fidelity allows (paper, #1; our
+//! design page, "Slices"). A slab costs the time it prints, stretched by its deviation from the
+//! surface, and a fine for each feature that it skips; dynamic programming finds the cheapest
+//! chain of slabs within the bounds.
+
+use rayon::prelude::*;
+
+use super::features::{Feature, FeatureKind, features};
+use super::profile::Profile;
+use super::{Loop, Plane, Side, cut::cut};
+use crate::head::Head;
+use crate::mesh::Mesh;
+
+/// What the choice of heights depends on; lengths in mm.
+#[derive(Debug, Clone, Copy)]
+pub struct HeightParams {
+    /// Least height of a slab.
+    pub slab_min: f64,
+    /// Greatest height of a slab.
+    pub slab_max: f64,
+    /// Height of the first contour above the bed.
+    pub first_layer: f64,
+    /// Diameter of a strand.
+    pub strand: f64,
+    /// Mean deviation that doubles a slab's cost.
+    pub deviation_target: f64,
+    /// Printing speed, mm/s.
+    pub speed: f64,
+    /// Pause at each post, s.
+    pub pause: f64,
+}
+
+/// A height at which contours are printed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Level {
+    /// Printed height, mm.
+    pub z: f64,
+    /// The contours that end the slab below are cut here, from below.
+    pub low: f64,
+    /// The contours that begin the slab above are cut here, from above.
+    pub high: f64,
+}
+
+/// Candidate heights lie about this far apart, mm …
+const STEP: f64 = 0.5;
+/// … but there are no more than about this many.
+const MOST_CANDIDATES: f64 = 400.0;
+/// Fine for a skipped feature, seconds per mm of its size.
+const SKIP_FINE: f64 = 20.0;
+/// A feature's size counts up to this many greatest slabs.
+const LARGEST: f64 = 4.0;
+/// Fine, in seconds, for each post that a contour lacks to stand on three.
+const WOBBLE_FINE: f64 = 4.0;
+/// Fine, in seconds, for a slab lower than the least height (only where nothing else fits).
+const LOW_FINE: f64 = 1e4;
+/// Slabs lower than this part of the least height are never made.
+const LOWEST: f64 = 0.2;
+
+/// Chooses the levels of `mesh`, bottom up.
+///
+/// A model lower than a slab gets one level or two. Features that no level can hold because
+/// another is nearer than the least slab widen that level's range from `low` to `high`.
+#[must_use]
+pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Level> {
+    let Some((bottom, top)) = extent(mesh) else { return Vec::new() };
+    let wanted = wanted_heights(mesh, bottom, top, params);
+    let first = bottom + params.first_layer.min((top - bottom) * 0.5);
+    let last = wanted.iter().map(|w| w.low).fold(first, f64::max);
+    let candidates = candidates(&wanted, first, last, params);
+    let chain = cheapest_chain(mesh, head, params, &candidates, &wanted);
+    let mut levels: Vec<Level> =
+        chain.into_iter().map(|z| Level { z, low: z, high: z }).collect();
+    widen(&mut levels, &wanted, params.slab_min * 0.5);
+    levels
+}
+
+fn extent(mesh: &Mesh) -> Option<(f64, f64)> {
+    let used = || mesh.faces.iter().flatten().map(|&v| mesh.vertices[v as usize].z);
+    let bottom = used().fold(f64::INFINITY, f64::min);
+    let top = used().fold(f64::NEG_INFINITY, f64::max);
+    (bottom < top).then_some((bottom, top))
+}
+
+/// A height, or a narrow range of heights, where a level is wanted.
+#[derive(Debug, Clone, Copy)]
+struct Wanted {
+    low: f64,
+    high: f64,
+    size: f64,
+}
+
+/// The features above the first contour. A round top or bottom has no contour at its very height,
+/// so it is cut half a strand inside, where the strand's own surface touches the model's.
+fn wanted_heights(mesh: &Mesh, bottom: f64, top: f64, p: &HeightParams) -> Vec<Wanted> {
+    let found = features(mesh, p.slab_min);
+    let flat_at = |z: f64| {
+        let flat = |f: &&Feature| f.kind == FeatureKind::Flat;
+        found.iter().filter(flat).any(|f| f.low - 0.05 < z && z < f.high + 0.05)
+    };
+    let inward = |f: &Feature| match f.kind {
+        FeatureKind::Maximum if !flat_at(f.low) => -0.5 * p.strand,
+        FeatureKind::Minimum if !flat_at(f.low) => 0.5 * p.strand,
+        _ => 0.0,
+    };
+    let least = bottom + p.first_layer;
+    let limit = LARGEST * p.slab_max;
+    let mut wanted: Vec<Wanted> = found
+        .iter()
+        .map(|f| {
+            let shift = inward(f);
+            Wanted { low: f.low + shift, high: (f.high + shift).min(top), size: f.size.min(limit) }
+        })
+        .filter(|w| w.low > least)
+        .collect();
+    wanted.sort_by(|a, b| a.low.total_cmp(&b.low));
+    wanted.dedup_by(|later, kept| {
+        let same = later.low - kept.high < 1e-3;
+        if same {
+            kept.high = kept.high.max(later.high);
+            kept.size = kept.size.max(later.size);
+        }
+        same
+    });
+    wanted
+}
+
+/// First and last height, the wanted ones, and between each two an even grid together with every
+/// even division that the bounds allow.
+fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec<f64> {
+    let step = STEP.max((last - first) / MOST_CANDIDATES);
+    let mut stops = vec![first];
+    stops.extend(wanted.iter().map(|w| w.low).filter(|&z| z > first + 1e-3 && z < last - 1e-3));
+    stops.push(last);
+    let mut out = stops.clone();
+    for pair in stops.windows(2) {
+        let gap = pair[1] - pair[0];
+        let mut divide = |parts: usize| {
+            out.extend((1..parts).map(|i| pair[0] + gap * i as f64 / parts as f64));
+        };
+        divide((gap / step).ceil() as usize);
+        let fewest = (gap / p.slab_max).ceil() as usize;
+        divide(fewest);
+        divide(fewest + 1);
+    }
+    out.sort_by(f64::total_cmp);
+    out.dedup_by(|a, b| *a - *b < 1e-6);
+    out
+}
+
+/// What a slice tells about the slabs that it bounds: length and smooth turning of its loops.
+struct Outline {
+    lengths: Vec<f64>,
+    length: f64,
+    turning: f64,
+}
+
+impl Outline {
+    fn new(loops: &[Loop], strand: f64) -> Self {
+        let mut outline = Self { lengths: Vec::new(), length: 0.0, turning: 0.0 };
+        for l in loops {
+            let length = perimeter(l);
+            outline.length += length;
+            outline.turning += smooth_turning(l);
+            // Loops shorter than a few strands are dots: no number of posts helps them.
+            if length > 6.0 * strand {
+                outline.lengths.push(length);
+            }
+        }
+        outline
+    }
+}
+
+fn perimeter(l: &Loop) -> f64 {
+    let inner: f64 = l.points.windows(2).map(|p| p[0].distance(p[1])).sum();
+    match (l.closed, l.points.first(), l.points.last()) {
+        (true, Some(a), Some(b)) => inner + a.distance(*b),
+        _ => inner,
+    }
+}
+
+/// Turning of a loop without its corners, rad, measured between strokes of at least 1.5 mm.
+fn smooth_turning(l: &Loop) -> f64 {
+    const STROKE: f64 = 1.5;
+    let mut kept: Vec<glam::DVec2> = Vec::new();
+    for &p in &l.points {
+        if kept.last().is_none_or(|q| q.distance(p) >= STROKE) {
+            kept.push(p);
+        }
+    }
+    let corner = std::f64::consts::FRAC_PI_4;
+    kept.windows(3)
+        .map(|w| (w[1] - w[0]).angle_to(w[2] - w[1]).abs())
+        .filter(|&turn| turn < corner)
+        .sum()
+}
+
+struct Costs<'a> {
+    head: &'a Head,
+    params: &'a HeightParams,
+    profile: Profile,
+    outlines: Vec<Outline>,
+    heights: &'a [f64],
+    wanted: &'a [Wanted],
+}
+
+impl Costs<'_> {
+    /// Cost of the slab between two candidates, in seconds of printing.
+    fn slab(&self, i: usize, j: usize) -> f64 {
+        let (p, (from, to)) = (self.params, (self.heights[i], self.heights[j]));
+        let height = to - from;
+        let spacing = self.head.clearance(height);
+        let (lower, upper) = (&self.outlines[i], &self.outlines[j]);
+        let length = 0.5 * (lower.length + upper.length);
+        let stroke = height + height.hypot(spacing);
+        let time = length / spacing * (p.pause + stroke / p.speed) + length / p.speed;
+        let turning = 0.5 * (lower.turning + upper.turning);
+        // A chord of length s on curvature κ strays by κ·s²/12 in the mean.
+        let sag = if length > 0.0 { spacing * spacing * turning / (12.0 * length) } else { 0.0 };
+        let deviation = (self.profile.deviation(from, to) + sag) / p.deviation_target;
+        let low = if height < p.slab_min - 1e-9 { LOW_FINE * (1.0 - height / p.slab_min) } else { 0.0 };
+        let even = 1e-3 * height * height;
+        time * (1.0 + deviation * deviation)
+            + self.skipped(from, to)
+            + WOBBLE_FINE * 0.5 * (wobble(lower, spacing) + wobble(upper, spacing))
+            + low
+            + even
+    }
+
+    /// Fine for the wanted heights strictly inside.
+    fn skipped(&self, from: f64, to: f64) -> f64 {
+        let first = self.wanted.partition_point(|w| w.low <= from + 1e-6);
+        let inside = self.wanted[first..].iter().take_while(|w| w.low < to - 1e-6);
+        inside.map(|w| w.size * SKIP_FINE).sum()
+    }
+}
+
+/// How many posts the loops lack, together, to stand on three each.
+fn wobble(outline: &Outline, spacing: f64) -> f64 {
+    outline.lengths.iter().map(|l| (3.0 - (l / spacing).floor()).max(0.0)).sum()
+}
+
+/// Dijkstra on a line: heights only go up, so one sweep settles them.
+fn cheapest_chain(
+    mesh: &Mesh,
+    head: &Head,
+    params: &HeightParams,
+    heights: &[f64],
+    wanted: &[Wanted],
+) -> Vec<f64> {
+    let (bottom, top) = (heights[0], heights[heights.len() - 1]);
+    let planes: Vec<Plane> = heights.iter().map(|&z| Plane { z, side: Side::Below }).collect();
+    let (profile, slices) = rayon::join(
+        || Profile::new(mesh, bottom, top, 0.5 * STEP.max((top - bottom) / MOST_CANDIDATES)),
+        || cut(mesh, &planes),
+    );
+    let outlines = slices.par_iter().map(|loops| Outline::new(loops, params.strand)).collect();
+    let costs = Costs { head, params, profile, outlines, heights, wanted };
+    let count = heights.len();
+    let mut best = vec![(f64::INFINITY, 0_usize); count];
+    best[0].0 = 0.0;
+    for j in 1..count {
+        for i in (0..j).rev() {
+            let height = heights[j] - heights[i];
+            if height > params.slab_max + 1e-9 {
+                break;
+            }
+            if height < LOWEST * params.slab_min || !best[i].0.is_finite() {
+                continue;
+            }
+            let cost = best[i].0 + costs.slab(i, j);
+            if cost < best[j].0 {
+                best[j] = (cost, i);
+            }
+        }
+    }
+    let mut at = (0..count).rev().find(|&j| best[j].0.is_finite()).unwrap_or(0);
+    let mut chain = vec![heights[at]];
+    while at > 0 {
+        at = best[at].1;
+        chain.push(heights[at]);
+    }
+    chain.reverse();
+    chain
+}
+
+/// Lets each level take in the wanted heights within `reach` mm that no level stands on.
+fn widen(levels: &mut [Level], wanted: &[Wanted], reach: f64) {
+    for feature in wanted {
+        let off = |level: &Level| (level.z - feature.low).abs();
+        let i = levels.partition_point(|l| l.z < feature.low);
+        let around = levels[i.saturating_sub(1)..(i + 1).min(levels.len())].iter_mut();
+        if let Some(level) = around.min_by(|a, b| off(a).total_cmp(&off(b)))
+            && off(level) <= reach
+        {
+            level.low = level.low.min(feature.low);
+            level.high = level.high.max(feature.high);
+        }
+    }
+}

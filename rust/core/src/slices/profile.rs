@@ -1,0 +1,121 @@
+//! How far a slab's straight strokes stray from the surface, read off the surface's slopes.
+//!
+//! Within a slab the wire print replaces the surface by a ruled strip. Faces are sorted by the
+//! direction they look in (the outline's counterpart above and below looks the same way) and by
+//! height; the slopes of one direction add up to a profile, and the strip is that profile's chord.
+
+use rayon::prelude::*;
+
+use crate::mesh::Mesh;
+
+/// Number of directions told apart.
+const DIRECTIONS: usize = 16;
+/// Slopes (mm outwards per mm upwards) beyond this count as this: a flat face is no wall.
+const STEEPEST: f64 = 8.0;
+/// Faces a task, fixed so that sums do not depend on the number of threads.
+const CHUNK: usize = 1 << 16;
+
+/// Area and area times slope of one direction in one layer.
+#[derive(Debug, Clone, Copy, Default)]
+struct Cell {
+    area: f64,
+    slope: f64,
+}
+
+/// The slopes of a mesh by direction and height.
+#[derive(Debug)]
+pub struct Profile {
+    bottom: f64,
+    step: f64,
+    layers: usize,
+    cells: Vec<Cell>,
+}
+
+impl Profile {
+    /// Reads the slopes of `mesh` between `bottom` and `top` in layers of about `step` mm.
+    #[must_use]
+    pub fn new(mesh: &Mesh, bottom: f64, top: f64, step: f64) -> Self {
+        let layers = (((top - bottom) / step).ceil() as usize).max(1);
+        let step = (top - bottom).max(f64::MIN_POSITIVE) / layers as f64;
+        let empty = Self { bottom, step, layers, cells: vec![Cell::default(); layers * DIRECTIONS] };
+        let parts: Vec<Vec<Cell>> = mesh
+            .faces
+            .par_chunks(CHUNK)
+            .map(|faces| {
+                let mut part = empty.cells.clone();
+                for face in faces {
+                    empty.add_face(mesh, *face, &mut part);
+                }
+                part
+            })
+            .collect();
+        let mut profile = empty;
+        for part in parts {
+            for (sum, cell) in profile.cells.iter_mut().zip(part) {
+                sum.area += cell.area;
+                sum.slope += cell.slope;
+            }
+        }
+        profile
+    }
+
+    fn add_face(&self, mesh: &Mesh, face: [u32; 3], cells: &mut [Cell]) {
+        let [a, b, c] = face.map(|v| mesh.vertices[v as usize]);
+        let normal = (b - a).cross(c - a) * 0.5;
+        let across = normal.truncate().length();
+        if across <= 1e-12 {
+            return;
+        }
+        let slope = (-normal.z / across).clamp(-STEEPEST, STEEPEST);
+        let turn = normal.y.atan2(normal.x) / std::f64::consts::TAU;
+        let direction = ((turn.rem_euclid(1.0) * DIRECTIONS as f64) as usize).min(DIRECTIONS - 1);
+        let low = a.z.min(b.z).min(c.z);
+        let high = a.z.max(b.z).max(c.z);
+        let (first, last) = (self.layer(low), self.layer(high));
+        // The face's upright extent (area seen from the side), spread evenly over its layers.
+        let share = across / (last - first + 1) as f64;
+        for layer in first..=last {
+            let cell = &mut cells[layer * DIRECTIONS + direction];
+            cell.area += share;
+            cell.slope += share * slope;
+        }
+    }
+
+    fn layer(&self, z: f64) -> usize {
+        (((z - self.bottom) / self.step).max(0.0) as usize).min(self.layers - 1)
+    }
+
+    /// Mean distance, mm, between the surface and the ruled strip from height `from` to `to`.
+    #[must_use]
+    pub fn deviation(&self, from: f64, to: f64) -> f64 {
+        let (first, last) = (self.layer(from + 0.5 * self.step), self.layer(to - 0.5 * self.step));
+        if last <= first {
+            return 0.0;
+        }
+        let (mut sum, mut area) = (0.0, 0.0);
+        for direction in 0..DIRECTIONS {
+            let (s, a) = self.direction_deviation(direction, first, last);
+            sum += s;
+            area += a;
+        }
+        if area > 0.0 { sum / area } else { 0.0 }
+    }
+
+    /// Area-weighted deviation and area of one direction between two layers.
+    fn direction_deviation(&self, direction: usize, first: usize, last: usize) -> (f64, f64) {
+        let cell = |layer: usize| self.cells[layer * DIRECTIONS + direction];
+        let slope = |c: Cell| if c.area > 0.0 { c.slope / c.area } else { 0.0 };
+        let total: f64 = (first..=last).map(|l| slope(cell(l))).sum();
+        let mean = total / (last - first + 1) as f64;
+        let upright = 1.0 / (1.0 + mean * mean).sqrt();
+        let (mut reach, mut sum, mut area) = (0.0, 0.0, 0.0);
+        for layer in first..=last {
+            let c = cell(layer);
+            let middle = reach + 0.5 * (slope(c) - mean) * self.step;
+            sum += c.area * middle.abs() * upright;
+            area += c.area;
+            reach += (slope(c) - mean) * self.step;
+        }
+        (sum, area)
+    }
+}

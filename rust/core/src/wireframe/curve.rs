@@ -1,0 +1,327 @@
+//! A plane polyline parametrised by arc length, with the moments that chord errors need.
+
+use glam::DVec2;
+
+/// Integrals of 1, x, y, x², xy and y² along a curve up to some arc length.
+#[derive(Debug, Clone, Copy, Default)]
+struct Moments {
+    x: f64,
+    y: f64,
+    xx: f64,
+    xy: f64,
+    yy: f64,
+}
+
+impl Moments {
+    /// The moments of the straight segment from `a` to `b` (exact: Simpson's rule on a quadratic).
+    fn of_segment(a: DVec2, b: DVec2) -> Self {
+        let length = a.distance(b);
+        let middle = (a + b) * 0.5;
+        let simpson = |f: fn(DVec2) -> f64| length / 6.0 * (f(a) + 4.0 * f(middle) + f(b));
+        Self {
+            x: length * middle.x,
+            y: length * middle.y,
+            xx: simpson(|p| p.x * p.x),
+            xy: simpson(|p| p.x * p.y),
+            yy: simpson(|p| p.y * p.y),
+        }
+    }
+
+    fn plus(self, other: Self, sign: f64) -> Self {
+        Self {
+            x: self.x + sign * other.x,
+            y: self.y + sign * other.y,
+            xx: self.xx + sign * other.xx,
+            xy: self.xy + sign * other.xy,
+            yy: self.yy + sign * other.yy,
+        }
+    }
+}
+
+/// A point of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvePoint {
+    /// Arc length from the curve's first point, mm.
+    pub s: f64,
+    /// Position, mm.
+    pub position: DVec2,
+}
+
+/// A polyline, open or closed, in its own arc length.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    points: Vec<DVec2>,
+    /// Arc length at each point; one more entry than segments.
+    at: Vec<f64>,
+    moments: Vec<Moments>,
+    closed: bool,
+}
+
+impl Curve {
+    /// A curve through `points` (the first not repeated); None with fewer than two distinct points.
+    #[must_use]
+    pub fn new(points: &[DVec2], closed: bool) -> Option<Self> {
+        let mut kept: Vec<DVec2> = Vec::with_capacity(points.len() + 1);
+        for &p in points {
+            if kept.last() != Some(&p) {
+                kept.push(p);
+            }
+        }
+        if closed && kept.len() > 1 && kept.first() == kept.last() {
+            kept.pop();
+        }
+        if kept.len() < 2 {
+            return None;
+        }
+        if closed {
+            kept.push(kept[0]);
+        }
+        let mut at = Vec::with_capacity(kept.len());
+        let mut moments = Vec::with_capacity(kept.len());
+        let (mut s, mut m) = (0.0, Moments::default());
+        at.push(s);
+        moments.push(m);
+        for pair in kept.windows(2) {
+            s += pair[0].distance(pair[1]);
+            m = m.plus(Moments::of_segment(pair[0], pair[1]), 1.0);
+            at.push(s);
+            moments.push(m);
+        }
+        Some(Self { points: kept, at, moments, closed })
+    }
+
+    /// Total length, mm.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.at[self.at.len() - 1]
+    }
+
+    /// Whether the curve returns to its first point.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The vertices in order; a closed curve ends on its first point again.
+    #[must_use]
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// Arc lengths of the vertices, mm.
+    #[must_use]
+    pub fn arc_lengths(&self) -> &[f64] {
+        &self.at
+    }
+
+    /// Brings an arc length into the curve: modulo the length if closed, clamped if open.
+    #[must_use]
+    pub fn wrap(&self, s: f64) -> f64 {
+        if self.closed { s.rem_euclid(self.length()) } else { s.clamp(0.0, self.length()) }
+    }
+
+    /// Index of the segment that holds arc length `s`.
+    fn segment(&self, s: f64) -> usize {
+        self.at.partition_point(|&a| a <= s).clamp(1, self.at.len() - 1) - 1
+    }
+
+    /// The position at arc length `s` (wrapped).
+    #[must_use]
+    pub fn position(&self, s: f64) -> DVec2 {
+        let s = self.wrap(s);
+        let i = self.segment(s);
+        let t = (s - self.at[i]) / (self.at[i + 1] - self.at[i]).max(f64::MIN_POSITIVE);
+        self.points[i].lerp(self.points[i + 1], t.clamp(0.0, 1.0))
+    }
+
+    /// The curve's point that is nearest to `p`.
+    #[must_use]
+    pub fn nearest(&self, p: DVec2) -> CurvePoint {
+        let mut best = (f64::INFINITY, CurvePoint { s: 0.0, position: self.points[0] });
+        for (i, pair) in self.points.windows(2).enumerate() {
+            let along = pair[1] - pair[0];
+            let t = ((p - pair[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+            let q = pair[0] + along * t;
+            let distance = q.distance_squared(p);
+            if distance < best.0 {
+                let s = self.at[i] + t * (self.at[i + 1] - self.at[i]);
+                best = (distance, CurvePoint { s, position: q });
+            }
+        }
+        best.1
+    }
+
+    /// Arc length from `from` forward to `to`, mm.
+    #[must_use]
+    pub fn forward(&self, from: f64, to: f64) -> f64 {
+        if self.closed { (to - from).rem_euclid(self.length()) } else { to - from }
+    }
+
+    fn moments_to(&self, s: f64) -> Moments {
+        let i = self.segment(s);
+        let p = self.points[i];
+        let t = (s - self.at[i]) / (self.at[i + 1] - self.at[i]).max(f64::MIN_POSITIVE);
+        let q = p.lerp(self.points[i + 1], t.clamp(0.0, 1.0));
+        self.moments[i].plus(Moments::of_segment(p, q), 1.0)
+    }
+
+    /// Integral of the squared distance between the arc from `from` over `arc` mm and the chord's
+    /// line, mm³: what a strand loses that cuts straight across.
+    #[must_use]
+    pub fn chord_error(&self, from: f64, arc: f64) -> f64 {
+        let (start, end) = (self.wrap(from), self.wrap(from + arc));
+        let mut m = self.moments_to(end).plus(self.moments_to(start), -1.0);
+        let wraps = self.closed && end < start;
+        if wraps {
+            m = m.plus(self.moments[self.moments.len() - 1], 1.0);
+        }
+        let (a, b) = (self.position(start), self.position(end));
+        let chord = b - a;
+        if chord.length_squared() < 1e-18 {
+            return m.xx + m.yy - 2.0 * (a.x * m.x + a.y * m.y) + a.length_squared() * arc;
+        }
+        let n = chord.perp().normalize();
+        let offset = n.dot(a);
+        let square = n.x * n.x * m.xx + 2.0 * n.x * n.y * m.xy + n.y * n.y * m.yy;
+        (square - 2.0 * offset * (n.x * m.x + n.y * m.y) + offset * offset * arc).max(0.0)
+    }
+
+    /// The interior vertices of the arc that starts at `from` and runs `arc` mm forward.
+    #[must_use]
+    pub fn arc_points(&self, from: f64, arc: f64) -> Vec<DVec2> {
+        let start = self.wrap(from);
+        let count = self.points.len() - 1;
+        let first = self.segment(start) + 1;
+        let mut out = Vec::new();
+        for step in 0..count {
+            let index = first + step;
+            let (i, lap) = if index > count { (index - count, 1.0) } else { (index, 0.0) };
+            if !self.closed && lap > 0.0 {
+                break;
+            }
+            let s = self.at[i] + lap * self.length() - start;
+            if s >= arc - 1e-9 {
+                break;
+            }
+            if s > 1e-9 {
+                out.push(self.points[i]);
+            }
+        }
+        out
+    }
+
+    /// Vertices where the direction turns by more than `angle` radians within `reach` mm: the
+    /// corners that want a post. Of neighbouring ones the sharpest is kept.
+    #[must_use]
+    pub fn corners(&self, angle: f64, reach: f64) -> Vec<f64> {
+        let count = self.points.len() - 1;
+        let interior = if self.closed { 0..count } else { 1..count };
+        let mut found: Vec<(f64, f64)> = Vec::new();
+        for i in interior {
+            let (s, p) = (self.at[i], self.points[i]);
+            let back = p - self.position(if self.closed { s - reach } else { (s - reach).max(0.0) });
+            let ahead = self.position(s + reach) - p;
+            let turn = back.perp_dot(ahead).atan2(back.dot(ahead)).abs();
+            if turn > angle {
+                found.push((s, turn));
+            }
+        }
+        let mut kept: Vec<(f64, f64)> = Vec::new();
+        for corner in found {
+            match kept.last_mut() {
+                Some(last) if corner.0 - last.0 < reach => {
+                    if corner.1 > last.1 {
+                        *last = corner;
+                    }
+                }
+                _ => kept.push(corner),
+            }
+        }
+        kept.into_iter().map(|(s, _)| s).collect()
+    }
+}
+
+/// Ramer–Douglas–Peucker: the indices of the points to keep so that the polyline stays within
+/// `tolerance` mm of every dropped point. The ends are kept.
+#[must_use]
+pub fn simplify(points: &[DVec2], tolerance: f64) -> Vec<usize> {
+    if points.len() < 3 {
+        return (0..points.len()).collect();
+    }
+    let mut keep = vec![false; points.len()];
+    keep[0] = true;
+    keep[points.len() - 1] = true;
+    let mut stack = vec![(0, points.len() - 1)];
+    while let Some((a, b)) = stack.pop() {
+        let far = (a + 1..b)
+            .map(|i| (segment_distance(points[i], points[a], points[b]), i))
+            .fold((tolerance, None), |m, (d, i)| if d > m.0 { (d, Some(i)) } else { m });
+        if let Some(i) = far.1 {
+            keep[i] = true;
+            stack.push((a, i));
+            stack.push((i, b));
+        }
+    }
+    (0..points.len()).filter(|&i| keep[i]).collect()
+}
+
+/// Distance from `p` to the segment from `a` to `b`, mm.
+#[must_use]
+pub fn segment_distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let along = b - a;
+    let t = ((p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    p.distance(a + along * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square() -> Curve {
+        let points = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(DVec2::from);
+        Curve::new(&points, true).unwrap()
+    }
+
+    #[test]
+    fn a_closed_curve_wraps() {
+        let curve = square();
+        assert_eq!(curve.length(), 40.0);
+        assert_eq!(curve.position(45.0), DVec2::new(5.0, 0.0));
+        assert_eq!(curve.position(-5.0), DVec2::new(0.0, 5.0));
+    }
+
+    #[test]
+    fn the_chord_error_is_the_integral_of_the_squared_distance() {
+        let curve = square();
+        assert!(curve.chord_error(1.0, 8.0).abs() < 1e-9);
+        // From (5, 0) round the corner to (10, 5): the distance rises to 5/√2 and falls again.
+        let expected = 2.0 * 5.0 * (5.0 / 2.0_f64.sqrt()).powi(2) / 3.0;
+        assert!((curve.chord_error(5.0, 10.0) - expected).abs() < 1e-9);
+        assert!((curve.chord_error(35.0, 10.0) - expected).abs() < 1e-9);
+    }
+
+    #[test]
+    fn arcs_list_the_vertices_between_their_ends() {
+        let curve = square();
+        let expected: Vec<DVec2> = vec![(0.0, 0.0).into(), (10.0, 0.0).into()];
+        assert_eq!(curve.arc_points(35.0, 20.0), expected);
+        assert!(curve.arc_points(1.0, 8.0).is_empty());
+    }
+
+    #[test]
+    fn corners_are_found_once() {
+        assert_eq!(square().corners(0.7, 1.0).len(), 4);
+    }
+
+    #[test]
+    fn simplification_keeps_within_the_tolerance() {
+        let points: Vec<DVec2> =
+            (0..100).map(|i| DVec2::new(f64::from(i), (f64::from(i) * 0.3).sin())).collect();
+        let kept = simplify(&points, 0.2);
+        assert!(kept.len() < 100);
+        for (i, p) in points.iter().enumerate() {
+            let k = kept.partition_point(|&j| j < i).max(1);
+            assert!(segment_distance(*p, points[kept[k - 1]], points[kept[k]]) <= 0.2 + 1e-12);
+        }
+    }
+}
