@@ -6,6 +6,7 @@
 //! Units: millimetres, seconds, mm/s, radians inside the core (degrees at the border).
 
 pub mod check;
+pub mod clearance;
 pub mod contours;
 pub mod error;
 pub mod fidelity;

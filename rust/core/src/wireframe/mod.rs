@@ -1,9 +1,24 @@
 //! Stage 4, the wireframe: strips, posts, strands.
 
 pub mod strips;
+mod build;
+mod builder;
 pub mod curve;
+mod hatch;
+pub mod posts;
+pub mod rim;
+mod sliced;
+pub mod strips;
+mod walls;
+pub mod zigzag;
 
 use glam::DVec3;
+
+pub use build::build;
+pub use sliced::{Sliced, slice_model};
+pub use zigzag::Placement;
+
+use posts::Post;
 
 /// What a strand is for; the discriminants are the codes of every `kind` array.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -44,4 +59,82 @@ pub struct Strand {
     pub kind: Kind,
     /// Index of the slab (0 at the bed) it belongs to.
     pub slab: u32,
+}
+
+/// How slabs are filled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pattern {
+    /// Contours joined by zigzags (paper, figure 4).
+    Zigzag,
+    /// Zigzags alone: the peaks of one carry the bases of the next (paper, figure 7c).
+    Peaks,
+}
+
+/// What the wireframe depends on; lengths in mm.
+#[derive(Debug, Clone, Copy)]
+pub struct WireParams {
+    /// Diameter of a strand.
+    pub strand: f64,
+    /// How slabs are filled.
+    pub pattern: Pattern,
+    /// How posts are placed.
+    pub placement: Placement,
+    /// Whether flat faces are closed.
+    pub caps: bool,
+    /// Distance between the strands of a cap.
+    pub cap_spacing: f64,
+    /// Longest stretch between two supports.
+    pub span_limit: f64,
+    /// Longest stroke that ends in the air.
+    pub free_end_limit: f64,
+}
+
+/// A post with its slab and the contour (of the slice at the slab's top) that it carries.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlacedPost {
+    /// The post.
+    pub post: Post,
+    /// Index of the slab.
+    pub slab: u32,
+    /// Index of the contour in the slice from below at the slab's top.
+    pub contour: u32,
+}
+
+/// Why a part of the surface is not printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// It begins in the air with nothing below.
+    MidAir,
+    /// Neighbouring walls leave the head no room for a post.
+    NoFoothold,
+    /// Its flat roof is wider than a strand can span.
+    WideRoof,
+}
+
+/// A part of the surface that is not printed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unprinted {
+    /// Lower end, mm.
+    pub low: f64,
+    /// Upper end, mm.
+    pub high: f64,
+    /// Area of the surface, mm².
+    pub area: f64,
+    /// A point on it, mm.
+    pub place: DVec3,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// The wire print as geometry: strands in printing order and what they were made from.
+#[derive(Debug)]
+pub struct Wireframe {
+    /// Slices, contours and strips.
+    pub sliced: Sliced,
+    /// Every post that stands.
+    pub posts: Vec<PlacedPost>,
+    /// Every strand, in printing order.
+    pub strands: Vec<Strand>,
+    /// What is not printed, bottom up.
+    pub unprinted: Vec<Unprinted>,
 }

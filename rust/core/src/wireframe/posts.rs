@@ -78,11 +78,12 @@ pub fn candidates(
             places.push((length, None));
         }
     }
-    for rim in rims {
-        for &vertex in &rim.points {
-            if let Some(s) = above(curve, vertex, rims, step) {
-                places.push((curve.forward(start, s), Some(vertex)));
-            }
+    for &vertex in rims.iter().flat_map(|rim| &rim.points) {
+        if let Some(s) = above(curve, vertex, rims, step) {
+            let ahead = curve.forward(start, s);
+            // Rounding may put the start itself a full lap ahead.
+            let at_start = curve.is_closed() && length - ahead < 1e-6;
+            places.push((if at_start { 0.0 } else { ahead }, Some(vertex)));
         }
     }
     // Where two coincide, the one with a foothold on a peak is kept.

@@ -1,0 +1,124 @@
+//! The material printed so far, as the generator sees it: will this move touch it?
+//!
+//! Only material higher than the tip can be hit, so a slab asks about its own strands alone; the
+//! index is emptied between slabs and a query touches a handful of strands.
+
+use glam::{DVec2, DVec3};
+
+use crate::head::Head;
+
+/// Strands in a grid over the plane.
+#[derive(Debug)]
+pub struct Material {
+    origin: DVec2,
+    cell: f64,
+    columns: usize,
+    rows: usize,
+    cells: Vec<Vec<u32>>,
+    filled: Vec<usize>,
+    strands: Vec<[DVec3; 2]>,
+    top: f64,
+}
+
+/// The grid has at most about this many cells a side.
+const MOST_CELLS: f64 = 512.0;
+
+impl Material {
+    /// An empty index over the rectangle from `low` to `high` with cells of about `cell` mm.
+    #[must_use]
+    pub fn new(low: DVec2, high: DVec2, cell: f64) -> Self {
+        let size = (high - low).max(DVec2::splat(1.0));
+        let cell = cell.max(size.max_element() / MOST_CELLS);
+        let (columns, rows) =
+            ((size.x / cell).ceil() as usize + 1, (size.y / cell).ceil() as usize + 1);
+        Self {
+            origin: low,
+            cell,
+            columns,
+            rows,
+            cells: vec![Vec::new(); columns * rows],
+            filled: Vec::new(),
+            strands: Vec::new(),
+            top: f64::NEG_INFINITY,
+        }
+    }
+
+    /// Forgets all strands.
+    pub fn clear(&mut self) {
+        for index in self.filled.drain(..) {
+            self.cells[index].clear();
+        }
+        self.strands.clear();
+        self.top = f64::NEG_INFINITY;
+    }
+
+    /// Adds a printed strand.
+    pub fn add(&mut self, from: DVec3, to: DVec3) {
+        let id = self.strands.len() as u32;
+        self.strands.push([from, to]);
+        self.top = self.top.max(from.z).max(to.z);
+        let (columns, rows) = self.span(from.truncate(), to.truncate(), 0.0);
+        for row in rows {
+            for column in columns.clone() {
+                let index = row * self.columns + column;
+                if self.cells[index].is_empty() {
+                    self.filled.push(index);
+                }
+                self.cells[index].push(id);
+            }
+        }
+    }
+
+    /// Whether the head, moving straight, is driven deeper than `tolerance` mm into a strand.
+    #[must_use]
+    pub fn is_hit(&self, head: &Head, from: DVec3, to: DVec3, tolerance: f64) -> bool {
+        let rise = self.top - from.z.min(to.z) - tolerance;
+        if rise <= 0.0 {
+            return false;
+        }
+        let reach = head.reach_at(rise);
+        let (columns, rows) = self.span(from.truncate(), to.truncate(), reach);
+        rows.into_iter().any(|row| {
+            columns.clone().any(|column| {
+                self.cells[row * self.columns + column].iter().any(|&id| {
+                    let strand = self.strands[id as usize];
+                    head.deeper_than(tolerance, [from, to], strand).is_some()
+                })
+            })
+        })
+    }
+
+    /// Columns and rows of the cells that a segment's box, widened by `reach`, covers.
+    fn span(
+        &self,
+        a: DVec2,
+        b: DVec2,
+        reach: f64,
+    ) -> (std::ops::RangeInclusive<usize>, std::ops::RangeInclusive<usize>) {
+        let low = (a.min(b) - reach - self.origin) / self.cell;
+        let high = (a.max(b) + reach - self.origin) / self.cell;
+        let clamp = |v: f64, most: usize| (v.max(0.0) as usize).min(most - 1);
+        (
+            clamp(low.x, self.columns)..=clamp(high.x, self.columns),
+            clamp(low.y, self.rows)..=clamp(high.y, self.rows),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_base_point_must_keep_clear_of_a_peak() {
+        let head = Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap();
+        let mut material = Material::new(DVec2::ZERO, DVec2::splat(50.0), 5.0);
+        material.add(DVec3::new(20.0, 20.0, 0.0), DVec3::new(20.0, 20.0, 4.0));
+        let reach = head.clearance(4.0);
+        let at = |x: f64| DVec3::new(20.0 + x, 20.0, 0.0);
+        assert!(material.is_hit(&head, at(reach - 0.1), at(reach - 0.1), 0.0));
+        assert!(!material.is_hit(&head, at(reach + 0.1), at(reach + 0.1), 0.0));
+        material.clear();
+        assert!(!material.is_hit(&head, at(1.0), at(1.0), 0.0));
+    }
+}

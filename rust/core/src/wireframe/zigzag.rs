@@ -1,0 +1,151 @@
+//! The zigzag of one contour: posts, and the diagonals between them, that the head can reach.
+
+use glam::DVec2;
+
+use super::curve::Curve;
+use super::posts::{
+    Candidate, Post, PostParams, candidates, even_spacing, place, place_by_averaging, reachable,
+};
+use super::rim::Rim;
+use super::walls::Walls;
+use crate::head::Head;
+
+/// How posts are placed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Placement {
+    /// Cheapest chain of candidates: aligned, even, at corners.
+    Optimal,
+    /// The paper's averaging rule (#3).
+    Paper,
+}
+
+/// A post, and whether a diagonal leads to it from the one before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// The post.
+    pub post: Post,
+    /// Whether the stroke from the last peak down to this base is printed.
+    pub linked: bool,
+}
+
+/// What a zigzag is made from; lengths in mm.
+pub struct ZigzagInput<'a> {
+    /// The contour that the peaks lie on.
+    pub curve: &'a Curve,
+    /// Its height.
+    pub z: f64,
+    /// Arc length at which the chain begins.
+    pub start: f64,
+    /// The printed rims that carry the posts.
+    pub rims: &'a [&'a Rim],
+    /// All contours of this height, for their distances.
+    pub walls: &'a Walls,
+    /// The contour's number among the walls.
+    pub wall: usize,
+    /// Least spacing of posts.
+    pub least: f64,
+    /// Only rim vertices carry posts (the pattern without contours).
+    pub on_peaks: bool,
+    /// Rule of placement.
+    pub placement: Placement,
+    /// Strand diameter.
+    pub strand: f64,
+    /// Longest free chord.
+    pub span_limit: f64,
+}
+
+/// Posts keep this much more than the head's bare clearance, for rounding in the written file.
+const SLACK: f64 = 1.01;
+/// Where two walls must share the room, posts stand this much further apart than the least, so
+/// that each wall finds gaps in the other's.
+const ROOM: f64 = 1.12;
+/// Walls nearer than this part of the clearance leave no room for diagonals between the posts.
+const DIAGONAL_ROOM: f64 = 0.6;
+/// Finest spacing of candidates, mm.
+const FINEST: f64 = 0.8;
+
+/// Posts of one contour in printing order, and the arc length where their chain begins: at
+/// `input.start` unless no free candidate is there.
+#[must_use]
+pub fn zigzag(
+    input: &ZigzagInput,
+    head: &Head,
+    is_free: impl Fn(&Post) -> bool,
+) -> (f64, Vec<Step>) {
+    let least = input.least * SLACK;
+    let ideal = even_spacing(input.curve.length(), least * 1.03);
+    if input.placement == Placement::Paper {
+        let (curve, z, start) = (input.curve, input.z, input.start);
+        let posts = place_by_averaging(curve, z, start, input.rims, head, ideal);
+        return (start, posts.into_iter().map(|post| Step { post, linked: true }).collect());
+    }
+    let step = FINEST.max(least / 8.0);
+    let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
+    let mut all = candidates(curve, z, start, rims, step, input.on_peaks);
+    let crowd = crowd(input, &mut all, least);
+    all.retain(|c| is_free(&c.post));
+    let Some(first) = all.first().copied() else { return (start, Vec::new()) };
+    let shift = if curve.is_closed() { first.post.s } else { 0.0 };
+    for c in &mut all {
+        c.post.s -= shift;
+    }
+    (start + shift, chain(input, start + shift, &all, head, ideal, crowd))
+}
+
+/// Widens the spacing of candidates near other walls; tells how near the nearest comes, relative
+/// to the clearance.
+fn crowd(input: &ZigzagInput, all: &mut [Candidate], least: f64) -> f64 {
+    let mut nearest = f64::INFINITY;
+    for c in all {
+        let place: DVec2 = c.post.peak.truncate();
+        let gap = input.walls.gap(input.wall, input.start + c.post.s, place, least);
+        if gap < least {
+            c.spacing = 2.0 * (least * least - gap * gap).sqrt() * ROOM;
+            nearest = nearest.min(gap / least);
+        }
+    }
+    nearest
+}
+
+fn chain(
+    input: &ZigzagInput,
+    start: f64,
+    all: &[Candidate],
+    head: &Head,
+    ideal: f64,
+    crowd: f64,
+) -> Vec<Step> {
+    let params =
+        PostParams { ideal, chord_error: 0.5 * input.strand, span_limit: input.span_limit };
+    let posts = place(input.curve, start, all, head, &params);
+    let settled = if crowd < 1.0 { settle(&posts, all, head) } else { posts };
+    let mut steps: Vec<Step> = Vec::with_capacity(settled.len());
+    for post in settled {
+        let linked = crowd >= DIAGONAL_ROOM
+            && steps.last().is_some_and(|last: &Step| reachable(head, &last.post, &post));
+        steps.push(Step { post, linked });
+    }
+    steps
+}
+
+/// Resolves conflicts across the contour: each post must be clear of all earlier ones, not only
+/// of its neighbour; one that is not moves to the nearest free candidate or is left out.
+fn settle(posts: &[Post], all: &[Candidate], head: &Head) -> Vec<Post> {
+    let mut kept: Vec<Post> = Vec::with_capacity(posts.len());
+    for (i, post) in posts.iter().enumerate() {
+        let free = |p: &Post| kept.iter().all(|k| reachable(head, k, p) && reachable(head, p, k));
+        if free(post) {
+            kept.push(*post);
+            continue;
+        }
+        let from = kept.last().map_or(f64::NEG_INFINITY, |k| k.s);
+        let to = posts.get(i + 1).map_or(f64::INFINITY, |n| n.s);
+        let moved = all
+            .iter()
+            .map(|c| c.post)
+            .filter(|p| p.s > from && p.s < to && free(p))
+            .min_by(|a, b| (a.s - post.s).abs().total_cmp(&(b.s - post.s).abs()));
+        kept.extend(moved);
+    }
+    kept
+}
