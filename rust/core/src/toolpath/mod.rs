@@ -1,8 +1,17 @@
 //! Stage 5, the toolpath: every move of the head, with speed, filament, pause and air.
 
-use glam::DVec3;
+mod bed;
+mod build;
+mod mechanics;
 
-use crate::wireframe::Kind;
+use std::f64::consts::FRAC_PI_4;
+
+use glam::{DVec2, DVec3};
+
+pub use build::toolpath;
+pub use mechanics::{Cooling, Strategy};
+
+use crate::wireframe::{Kind, Strand};
 
 /// A toolpath as parallel arrays, one entry a move; each move begins where the last one ended.
 #[derive(Debug, Clone, Default)]
@@ -23,4 +32,139 @@ pub struct Toolpath {
     pub air: Vec<bool>,
     /// Index of the slab that the move belongs to.
     pub slab: Vec<u32>,
+}
+
+/// What the toolpath depends on; lengths in mm, speeds in mm/s, times in s.
+#[derive(Debug, Clone, Copy)]
+pub struct PathParams {
+    /// Where the model's centre stands on the bed.
+    pub centre: DVec2,
+    /// Diameter of a free strand.
+    pub strand: f64,
+    /// Diameter of the filament.
+    pub filament: f64,
+    /// Height of the first contours.
+    pub first_layer: f64,
+    /// Speed of extruding.
+    pub print_speed: f64,
+    /// Speed of floating strokes under [`Strategy::Slow`].
+    pub slow_speed: f64,
+    /// Speed of travelling.
+    pub travel_speed: f64,
+    /// What makes floating strokes hold.
+    pub strategy: Strategy,
+    /// How strands are cooled.
+    pub cooling: Cooling,
+    /// Pause at the end of a floating stroke under [`Strategy::Pause`].
+    pub pause: f64,
+    /// Way past the end of a floating stroke under [`Strategy::Overshoot`].
+    pub overshoot: f64,
+    /// Filament pulled back before a travel.
+    pub retract: f64,
+    /// Speed of pulling back.
+    pub retract_speed: f64,
+    /// Speed of pushing forward again.
+    pub unretract_speed: f64,
+    /// Height of a travel above all that is printed.
+    pub travel_lift: f64,
+    /// Rings around the print that prime the nozzle.
+    pub skirt_rings: u32,
+    /// Distance of the skirt from the print.
+    pub skirt_gap: f64,
+    /// Flat rings around each first contour.
+    pub brim_rings: u32,
+}
+
+impl PathParams {
+    /// Filament for each mm of strand, mm: volume π/4·strand² over the filament's cross-section.
+    #[must_use]
+    pub fn feed_per_mm(&self) -> f64 {
+        (self.strand / self.filament).powi(2)
+    }
+
+    /// Cross-section of the filament, mm².
+    #[must_use]
+    pub fn filament_area(&self) -> f64 {
+        FRAC_PI_4 * self.filament * self.filament
+    }
+}
+
+/// Sums over a toolpath.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Figures {
+    /// Length of all strands, mm.
+    pub strand: f64,
+    /// Length of all travels, mm.
+    pub travel: f64,
+    /// Number of dwells.
+    pub pauses: u64,
+    /// Sum of the dwells, s.
+    pub pause: f64,
+    /// Filament used, mm.
+    pub filament: f64,
+}
+
+impl Toolpath {
+    /// Where the head stands after the last move so far, mm.
+    #[must_use]
+    pub fn at(&self) -> DVec3 {
+        self.to.last().copied().unwrap_or(self.start)
+    }
+
+    fn push(
+        &mut self,
+        strand: &Strand,
+        to: DVec3,
+        speed: f64,
+        filament: f64,
+        pause: f64,
+        air: bool,
+    ) {
+        self.to.push(to);
+        self.kind.push(strand.kind);
+        self.speed.push(speed);
+        self.filament.push(filament);
+        self.pause.push(pause);
+        self.air.push(air);
+        self.slab.push(strand.slab);
+    }
+
+    fn travel(&mut self, to: DVec3, speed: f64, slab: u32) {
+        if to != self.at() || self.to.is_empty() {
+            self.add(to, Kind::Travel, speed, 0.0, slab);
+        }
+    }
+
+    fn add(&mut self, to: DVec3, kind: Kind, speed: f64, filament: f64, slab: u32) {
+        let air = self.air.last().copied().unwrap_or(false);
+        self.to.push(to);
+        self.kind.push(kind);
+        self.speed.push(speed);
+        self.filament.push(filament);
+        self.pause.push(0.0);
+        self.air.push(air);
+        self.slab.push(slab);
+    }
+
+    /// Sums the toolpath up.
+    #[must_use]
+    pub fn figures(&self) -> Figures {
+        let mut figures = Figures::default();
+        let mut from = self.start;
+        for (i, &to) in self.to.iter().enumerate() {
+            let length = from.distance(to);
+            match self.kind[i] {
+                Kind::Travel => figures.travel += length,
+                Kind::Retract | Kind::Unretract => {}
+                _ => figures.strand += length,
+            }
+            figures.filament += self.filament[i];
+            if self.pause[i] > 0.0 {
+                figures.pauses += 1;
+                figures.pause += self.pause[i];
+            }
+            from = to;
+        }
+        figures
+    }
 }

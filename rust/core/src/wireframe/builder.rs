@@ -50,17 +50,17 @@ impl<'a> Builder<'a> {
         self.material.is_hit(self.head, from, to, 0.5 * SQUASH * self.strand)
     }
 
-    /// Prints one strand.
-    pub fn stroke(&mut self, from: DVec3, to: DVec3, kind: Kind) {
+    /// Prints one strand; a `floating` one ends in the air.
+    pub fn stroke(&mut self, from: DVec3, to: DVec3, kind: Kind, floating: bool) {
         self.material.add(from, to);
-        self.strands.push(Strand { from, to, kind, slab: self.slab });
+        self.strands.push(Strand { from, to, kind, slab: self.slab, floating });
     }
 
     /// Prints a polyline.
     pub fn polyline(&mut self, points: &[DVec3], kind: Kind) {
         for pair in points.windows(2) {
             if pair[0] != pair[1] {
-                self.stroke(pair[0], pair[1], kind);
+                self.stroke(pair[0], pair[1], kind, false);
             }
         }
     }
@@ -80,11 +80,11 @@ impl<'a> Builder<'a> {
                 let from = last.peak;
                 let contact = bare && last.base.distance(from) < CONTACT * self.strand;
                 if !contact && from.distance(base) <= longest && !self.is_hit(from, base) {
-                    self.stroke(from, base, down);
+                    self.stroke(from, base, down, false);
                 }
             }
             if !bare {
-                self.stroke(base, peak, up);
+                self.stroke(base, peak, up, true);
             }
             standing.push(step.post);
         }

@@ -59,6 +59,16 @@ pub struct Strand {
     pub kind: Kind,
     /// Index of the slab (0 at the bed) it belongs to.
     pub slab: u32,
+    /// Whether it ends in the air, where it must hold by itself.
+    pub floating: bool,
+}
+
+impl Strand {
+    /// Whether it climbs or falls between two heights: most of it floats.
+    #[must_use]
+    pub fn slab_rises(&self) -> bool {
+        matches!(self.kind, Kind::Post | Kind::Diagonal | Kind::Support)
+    }
 }
 
 /// How slabs are filled.

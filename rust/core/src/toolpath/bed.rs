@@ -1,0 +1,86 @@
+//! Rings on the bed: a skirt that primes the nozzle, a brim that holds the first contours.
+
+use glam::DVec2;
+use i_overlay::mesh::outline::offset::OutlineOffset;
+use i_overlay::mesh::style::{LineJoin, OutlineStyle};
+
+use super::PathParams;
+use crate::wireframe::{Kind, Strand};
+
+/// Largest angle between two strokes of an outline's rounded corner, rad.
+const ROUND: f64 = 0.3;
+
+/// Rings around each first contour, inside to outside, one strand apart.
+pub fn brim(first: &[&Strand], strand: f64, rings: u32) -> Vec<Vec<DVec2>> {
+    let contours = loops(first);
+    (1..=rings).flat_map(|i| outset(&contours, f64::from(i) * strand)).collect()
+}
+
+/// Rings around everything on the bed, outside to inside.
+pub fn skirt(first: &[&Strand], brim: &[Vec<DVec2>], p: &PathParams) -> Vec<Vec<DVec2>> {
+    let contours = first.iter().filter(|s| s.kind == Kind::Contour).map(|s| s.from.truncate());
+    let hull = convex_hull(contours.chain(brim.iter().flatten().copied()).collect());
+    if hull.len() < 3 {
+        return Vec::new();
+    }
+    let hull = [hull];
+    (0..p.skirt_rings)
+        .rev()
+        .flat_map(|i| outset(&hull, p.skirt_gap + f64::from(i) * p.strand))
+        .collect()
+}
+
+/// The closed contours among strands in printing order.
+fn loops(first: &[&Strand]) -> Vec<Vec<DVec2>> {
+    let mut loops: Vec<Vec<DVec2>> = Vec::new();
+    let mut end = None;
+    for strand in first.iter().filter(|s| s.kind == Kind::Contour) {
+        if end != Some(strand.from) {
+            loops.push(Vec::new());
+        }
+        if let Some(current) = loops.last_mut() {
+            current.push(strand.from.truncate());
+        }
+        end = Some(strand.to);
+    }
+    loops.retain(|l| l.len() > 2);
+    loops
+}
+
+/// The outer boundaries of the loops, moved outwards.
+fn outset(loops: &[Vec<DVec2>], distance: f64) -> Vec<Vec<DVec2>> {
+    let paths: Vec<Vec<[f64; 2]>> =
+        loops.iter().map(|l| l.iter().map(|p| [p.x, p.y]).collect()).collect();
+    let style = OutlineStyle::new(distance).line_join(LineJoin::Round(ROUND));
+    let shapes: Vec<Vec<Vec<[f64; 2]>>> = paths.outline(&style);
+    shapes
+        .into_iter()
+        .filter_map(|shape| shape.into_iter().next())
+        .map(|outer| outer.into_iter().map(|[x, y]| DVec2::new(x, y)).collect())
+        .collect()
+}
+
+/// Andrew's monotone chain; counter-clockwise.
+fn convex_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let half = |points: &mut dyn Iterator<Item = DVec2>| {
+        let mut chain: Vec<DVec2> = Vec::new();
+        for p in points {
+            while let [.., a, b] = chain[..]
+                && (b - a).perp_dot(p - b) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = half(&mut points.iter().copied());
+    hull.extend(half(&mut points.iter().rev().copied()));
+    hull
+}
