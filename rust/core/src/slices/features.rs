@@ -117,25 +117,23 @@ fn sweep(mesh: &Mesh, rank: &[u32], key: impl Fn(u32) -> u32) -> Vec<Pair> {
     edges.sort_unstable_by_key(|&(late, early)| (at(late), at(early)));
     let count = mesh.vertices.len();
     let mut parent: Vec<u32> = (0..count as u32).collect();
-    let mut oldest: Vec<u32> = (0..count as u32).collect();
     let mut pairs = Vec::new();
     for (late, early) in edges {
         let (a, b) = (find(&mut parent, late), find(&mut parent, early));
         if a == b {
             continue;
         }
-        let (elder, younger) =
-            if at(oldest[a as usize]) < at(oldest[b as usize]) { (a, b) } else { (b, a) };
-        let extremum = oldest[younger as usize];
+        // A component is rooted at its oldest vertex.
+        let (elder, extremum) = if at(a) < at(b) { (a, b) } else { (b, a) };
         if extremum != late {
             pairs.push(Pair { extremum, saddle: Some(late) });
         }
-        parent[younger as usize] = elder;
+        parent[extremum as usize] = elder;
     }
     let used: Vec<bool> = used_vertices(mesh);
     for v in 0..count as u32 {
         if used[v as usize] && find(&mut parent, v) == v {
-            pairs.push(Pair { extremum: oldest[v as usize], saddle: None });
+            pairs.push(Pair { extremum: v, saddle: None });
         }
     }
     pairs

@@ -290,7 +290,8 @@ fn widen(levels: &mut [Level], wanted: &[Wanted], reach: f64) {
     for feature in wanted {
         let off = |level: &Level| (level.z - feature.low).abs();
         let i = levels.partition_point(|l| l.z < feature.low);
-        let around = levels[i.saturating_sub(1)..(i + 1).min(levels.len())].iter_mut();
+        let end = (i + 1).min(levels.len());
+        let around = levels[i.saturating_sub(1)..end].iter_mut();
         if let Some(level) = around.min_by(|a, b| off(a).total_cmp(&off(b)))
             && off(level) <= reach
         {

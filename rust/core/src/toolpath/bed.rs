@@ -1,8 +1,8 @@
 //! Rings on the bed: a skirt that primes the nozzle, a brim that holds the first contours.
 
 use glam::DVec2;
-use i_overlay::mesh::outline::offset::OutlineOffset;
-use i_overlay::mesh::style::{LineJoin, OutlineStyle};
+use i_overlay::mesh::float::outline::offset::OutlineOffset;
+use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 
 use super::PathParams;
 use crate::wireframe::{Kind, Strand};

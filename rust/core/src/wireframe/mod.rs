@@ -1,6 +1,5 @@
 //! Stage 4, the wireframe: strips, posts, strands.
 
-pub mod strips;
 mod build;
 mod builder;
 pub mod curve;
