@@ -7,6 +7,7 @@ mod gcode;
 mod mesh;
 mod render;
 mod toolpath;
+mod wireframe;
 
 /// The extension module `wireprint._core`.
 #[pyo3::pymodule]
@@ -23,6 +24,7 @@ mod _core {
     use super::render::Scene;
     #[pymodule_export]
     use super::toolpath::Toolpath;
+    use super::wireframe::{Wireframe, wireframe};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -1,0 +1,270 @@
+//! `wireprint._core.Wireframe`: contours, strips, posts and strands of a model.
+
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use wireprint_core::contours::Contour;
+use wireprint_core::head::Head;
+use wireprint_core::slices::heights::HeightParams;
+use wireprint_core::wireframe as core;
+use wireprint_core::wireframe::{Pattern, Placement, Reason, WireParams};
+
+use crate::arrays;
+use crate::errors::{SettingError, detached, to_py};
+use crate::mesh::Mesh;
+
+/// The head's figures, by the names of a printer profile's `[head]` table.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct HeadArgs {
+    tip_radius_mm: f64,
+    slant_deg: f64,
+    cone_height_mm: f64,
+    block_radius_mm: f64,
+    carriage_height_mm: f64,
+    carriage_radius_mm: f64,
+}
+
+impl HeadArgs {
+    /// The core's head.
+    ///
+    /// # Errors
+    /// `SettingError` where a figure is out of its bounds.
+    pub fn core(&self) -> PyResult<Head> {
+        Head::new(
+            self.tip_radius_mm,
+            self.slant_deg,
+            self.cone_height_mm,
+            self.block_radius_mm,
+            self.carriage_height_mm,
+            self.carriage_radius_mm,
+        )
+        .map_err(to_py)
+    }
+}
+
+/// What the wireframe depends on; the names are those of the settings.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct WireArgs {
+    strand_mm: f64,
+    slab_min_mm: f64,
+    slab_max_mm: f64,
+    first_layer_height_mm: f64,
+    deviation_target_mm: f64,
+    print_mm_s: f64,
+    pause_s: f64,
+    pattern: String,
+    placement: String,
+    caps: bool,
+    cap_spacing_mm: f64,
+    span_limit_mm: f64,
+    free_end_limit_mm: f64,
+}
+
+impl WireArgs {
+    fn heights(&self) -> HeightParams {
+        HeightParams {
+            slab_min: self.slab_min_mm,
+            slab_max: self.slab_max_mm,
+            first_layer: self.first_layer_height_mm,
+            strand: self.strand_mm,
+            deviation_target: self.deviation_target_mm,
+            speed: self.print_mm_s,
+            pause: self.pause_s,
+        }
+    }
+
+    fn wire(&self) -> PyResult<WireParams> {
+        let pattern = match self.pattern.as_str() {
+            "zigzag" => Pattern::Zigzag,
+            "peaks" => Pattern::Peaks,
+            other => return Err(SettingError::new_err(format!("pattern {other:?} is unknown"))),
+        };
+        let placement = match self.placement.as_str() {
+            "optimal" => Placement::Optimal,
+            "paper" => Placement::Paper,
+            other => return Err(SettingError::new_err(format!("placement {other:?} is unknown"))),
+        };
+        Ok(WireParams {
+            strand: self.strand_mm,
+            pattern,
+            placement,
+            caps: self.caps,
+            cap_spacing: self.cap_spacing_mm,
+            span_limit: self.span_limit_mm,
+            free_end_limit: self.free_end_limit_mm,
+        })
+    }
+}
+
+/// A model as strands in printing order; immutable.
+#[pyclass(frozen, module = "wireprint._core")]
+pub struct Wireframe {
+    core: Arc<core::Wireframe>,
+}
+
+impl Wireframe {
+    /// The core's wireframe.
+    pub fn core(&self) -> &Arc<core::Wireframe> {
+        &self.core
+    }
+}
+
+/// Slices a mesh and lays its strands.
+#[pyfunction]
+pub fn wireframe(
+    py: Python<'_>,
+    mesh: &Mesh,
+    head: HeadArgs,
+    params: WireArgs,
+) -> PyResult<Wireframe> {
+    let head = head.core()?;
+    let (heights, wire) = (params.heights(), params.wire()?);
+    let core = detached(py, || {
+        let sliced = core::slice_model(mesh.core(), &head, &heights)?;
+        Ok(core::build(sliced, &head, &wire))
+    })?;
+    Ok(Wireframe { core: Arc::new(core) })
+}
+
+/// A stable name for why something is not printed.
+fn reason(reason: Reason) -> &'static str {
+    match reason {
+        Reason::MidAir => "mid_air",
+        Reason::NoFoothold => "no_foothold",
+        Reason::WideRoof => "wide_roof",
+    }
+}
+
+#[pymethods]
+impl Wireframe {
+    /// Number of slices.
+    #[getter]
+    fn slice_count(&self) -> usize {
+        self.core.sliced.levels.len()
+    }
+
+    /// Number of posts.
+    #[getter]
+    fn post_count(&self) -> usize {
+        self.core.posts.len()
+    }
+
+    /// Number of strands.
+    #[getter]
+    fn strand_count(&self) -> usize {
+        self.core.strands.len()
+    }
+
+    /// Printed height and the heights of the cuts from below and above, (K, 3) float64, mm.
+    #[getter]
+    fn levels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let levels = self.core.sliced.levels.iter();
+        arrays::matrix(py, levels.flat_map(|l| [l.z, l.low, l.high]).collect(), 3)
+    }
+
+    /// Contours that begin the slab above each level: see `contours_below`.
+    #[getter]
+    fn contours_above<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        contours(py, &self.core.sliced.upper)
+    }
+
+    /// Contours that end the slab below each level, as a dict of arrays: `points` (N, 2) mm,
+    /// `offsets` (M + 1,), `slice_offsets` (K + 1,), `parent` (M,) (-1: none), `depth` (M,),
+    /// `area` (M,) mm², `closed` (M,).
+    #[getter]
+    fn contours_below<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        contours(py, &self.core.sliced.lower)
+    }
+
+    /// Strips as a list, one entry a slab, of lists of (lower contours, upper contours, area mm²).
+    #[getter]
+    fn strips(&self) -> Vec<Vec<(Vec<u32>, Vec<u32>, f64)>> {
+        let strips = self.core.sliced.strips.iter();
+        strips
+            .map(|slab| slab.iter().map(|s| (s.lower.clone(), s.upper.clone(), s.area)).collect())
+            .collect()
+    }
+
+    /// Posts from base to peak, (P, 2, 3) float64, mm.
+    #[getter]
+    fn posts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        segments(py, self.core.posts.iter().map(|p| [p.post.base, p.post.peak]))
+    }
+
+    /// Slab and contour (of `contours_below` at the slab's top) of each post, (P, 2) uint32.
+    #[getter]
+    fn post_places<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        arrays::matrix(py, self.core.posts.iter().flat_map(|p| [p.slab, p.contour]).collect(), 2)
+    }
+
+    /// Strands in printing order, (S, 2, 3) float64, mm.
+    #[getter]
+    fn strands<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        segments(py, self.core.strands.iter().map(|s| [s.from, s.to]))
+    }
+
+    /// Kind code of each strand, (S,) uint8.
+    #[getter]
+    fn strand_kinds<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
+        let array = PyArray1::from_iter(py, self.core.strands.iter().map(|s| s.kind as u8));
+        array.readwrite().make_nonwriteable();
+        array
+    }
+
+    /// Slab of each strand, (S,) uint32.
+    #[getter]
+    fn strand_slabs<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        let array = PyArray1::from_iter(py, self.core.strands.iter().map(|s| s.slab));
+        array.readwrite().make_nonwriteable();
+        array
+    }
+
+    /// What is not printed: (reason, lower and upper end mm, area mm², a point on it mm) each.
+    #[getter]
+    fn unprinted(&self) -> Vec<(&'static str, f64, f64, f64, [f64; 3])> {
+        let all = self.core.unprinted.iter();
+        all.map(|u| (reason(u.reason), u.low, u.high, u.area, u.place.to_array())).collect()
+    }
+}
+
+fn segments<'py>(
+    py: Python<'py>,
+    segments: impl Iterator<Item = [glam::DVec3; 2]>,
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let flat: Vec<f64> = segments.flatten().flat_map(|p| p.to_array()).collect();
+    let count = flat.len() / 6;
+    let array = PyArray1::from_vec(py, flat).reshape([count, 2, 3])?;
+    array.readwrite().make_nonwriteable();
+    Ok(array)
+}
+
+fn contours<'py>(py: Python<'py>, slices: &[Vec<Contour>]) -> PyResult<Bound<'py, PyDict>> {
+    let all = || slices.iter().flatten();
+    let points = all().flat_map(|c| &c.points).flat_map(|p| p.to_array()).collect();
+    let parent = |c: &Contour| c.parent.map_or(-1, i64::from);
+    let dict = PyDict::new(py);
+    dict.set_item("points", arrays::matrix(py, points, 2)?)?;
+    dict.set_item("offsets", offsets(py, all().map(|c| c.points.len())))?;
+    dict.set_item("slice_offsets", offsets(py, slices.iter().map(Vec::len)))?;
+    dict.set_item("parent", PyArray1::from_iter(py, all().map(parent)))?;
+    dict.set_item("depth", PyArray1::from_iter(py, all().map(|c| c.depth)))?;
+    dict.set_item("area", PyArray1::from_iter(py, all().map(|c| c.area)))?;
+    dict.set_item("closed", PyArray1::from_iter(py, all().map(|c| c.closed)))?;
+    Ok(dict)
+}
+
+fn offsets(py: Python<'_>, lengths: impl Iterator<Item = usize>) -> Bound<'_, PyArray1<i64>> {
+    let mut sum = 0;
+    let ends = lengths.map(|n| {
+        sum += n as i64;
+        sum
+    });
+    let all: Vec<i64> = std::iter::once(0).chain(ends).collect();
+    let array = PyArray1::from_vec(py, all);
+    array.readwrite().make_nonwriteable();
+    array
+}
