@@ -69,9 +69,6 @@ impl Build<'_> {
             let printed = self.slab(slab, &rims);
             rims = self.transition(slab + 1, &printed);
         }
-        let top = self.sliced.levels.len() - 1;
-        let all: Vec<usize> = (0..rims.len()).collect();
-        self.roofs(top, &self.sliced.upper[top], &all, &rims);
     }
 
     /// The first contours, pressed onto the bed, and the floors within them.
@@ -85,8 +82,9 @@ impl Build<'_> {
             let start = self.seam(&curve);
             rims[i] = Some(self.out.ring(&curve, start, &[], z, BED_FOLLOW));
         }
-        let all: Vec<usize> = (0..rims.len()).collect();
-        self.roofs(0, contours, &all, &rims);
+        for floor in self.sliced.ledges[0].iter().flatten() {
+            self.close(0, contours, floor, &floor.upper, &rims);
+        }
         rims
     }
 
@@ -131,6 +129,10 @@ impl Build<'_> {
         let mut bare: Vec<Job> = Vec::new();
         while let Some(job) = self.next_job(&mut jobs, rims) {
             let Some(curve) = &curves[job.contour] else { continue };
+            if job.carriers.is_empty() {
+                bare.push(job);
+                continue;
+            }
             let carriers: Vec<&Rim> = job.carriers.iter().filter_map(|&i| rims[i].as_ref()).collect();
             let start = self.start(curve, &carriers);
             let input = ZigzagInput {
@@ -185,7 +187,9 @@ impl Build<'_> {
             let neighbours: Vec<&Rim> = printed.iter().flatten().collect();
             printed[job.contour] = self.tie(curve, z, &neighbours);
             if printed[job.contour].is_none() {
-                self.give_up(slab, job.strip, Reason::NoFoothold);
+                let born = job.carriers.is_empty();
+                let reason = if born { Reason::MidAir } else { Reason::NoFoothold };
+                self.give_up(slab, job.strip, reason);
             }
         }
         printed
@@ -210,11 +214,8 @@ impl Build<'_> {
                 .map(|&i| i as usize)
                 .filter(|&i| rims[i].is_some())
                 .collect();
-            if carriers.is_empty() {
-                if !strip.upper.is_empty() || !strip.lower.is_empty() {
-                    self.give_up(slab, s, Reason::MidAir);
-                }
-                continue;
+            if carriers.is_empty() && strip.upper.is_empty() && !strip.lower.is_empty() {
+                self.give_up(slab, s, Reason::MidAir);
             }
             jobs.extend(strip.upper.iter().map(|&contour| Job {
                 contour: contour as usize,
@@ -309,17 +310,14 @@ impl Build<'_> {
         };
         for ledge in ledges {
             if ledge.upper.is_empty() {
-                let below = &self.sliced.lower[level];
-                let dying: Vec<usize> = ledge.lower.iter().map(|&i| i as usize).collect();
-                self.roofs(level, below, &dying, printed);
+                self.close(level, &self.sliced.lower[level], ledge, &ledge.lower, printed);
                 continue;
             }
-            let carriers: Vec<&Rim> =
-                ledge.lower.iter().filter_map(|&i| printed[i as usize].as_ref()).collect();
+            let born = ledge.lower.is_empty();
             for &u in &ledge.upper {
                 let contour = &contours[u as usize];
                 let Some(curve) = Curve::new(&contour.points, contour.closed) else { continue };
-                rims[u as usize] = self.on_top(&curve, z, ledge, &carriers);
+                rims[u as usize] = self.on_top(&curve, z, ledge, printed);
                 if rims[u as usize].is_none() {
                     self.unprinted.push(Unprinted {
                         low: z,
@@ -330,20 +328,35 @@ impl Build<'_> {
                     });
                 }
             }
+            if born {
+                self.close(level, contours, ledge, &ledge.upper, &rims);
+            }
         }
         rims
     }
 
-    /// One upper contour of a ledge.
-    fn on_top(&mut self, curve: &Curve, z: f64, ledge: &Strip, carriers: &[&Rim]) -> Option<Rim> {
-        if let ([rim], [_]) = (carriers, ledge.upper.as_slice())
-            && ledge.lower.len() == 1
+    /// One upper contour of a ledge: on the rims that the ledge touches or, if it begins in the
+    /// air, beside the rims around it.
+    fn on_top(
+        &mut self,
+        curve: &Curve,
+        z: f64,
+        ledge: &Strip,
+        printed: &[Option<Rim>],
+    ) -> Option<Rim> {
+        let carriers: Vec<&Rim> =
+            ledge.lower.iter().filter_map(|&i| printed[i as usize].as_ref()).collect();
+        if let ([rim], [_], [_]) = (&carriers[..], &ledge.lower[..], &ledge.upper[..])
             && follows(curve, rim, self.p.strand)
         {
             return Some((*rim).clone());
         }
+        if ledge.lower.is_empty() {
+            let neighbours: Vec<&Rim> = printed.iter().flatten().collect();
+            return self.tie(curve, z, &neighbours);
+        }
         let lifted = z + LIFT * self.p.strand;
-        let standing = self.spokes(curve, lifted, carriers)?;
+        let standing = self.spokes(curve, lifted, &carriers)?;
         Some(self.ring(curve, &standing, lifted))
     }
 
@@ -351,41 +364,47 @@ impl Build<'_> {
     fn roofs_of_slab(&mut self, slab: usize, rims: &[Option<Rim>]) {
         for strip in &self.sliced.strips[slab] {
             if strip.upper.is_empty() {
-                let dying: Vec<usize> = strip.lower.iter().map(|&i| i as usize).collect();
-                self.roofs(slab, &self.sliced.upper[slab], &dying, rims);
+                self.close(slab, &self.sliced.upper[slab], strip, &strip.lower, rims);
             }
         }
     }
 
-    /// Closes the region within an odd number of the given contours, as they were printed.
-    fn roofs(&mut self, level: usize, contours: &[Contour], which: &[usize], rims: &[Option<Rim>]) {
-        if !self.p.caps {
+    /// Closes the region within an odd number of a piece's contours, as they were printed, where
+    /// the piece does close them.
+    fn close(
+        &mut self,
+        level: usize,
+        contours: &[Contour],
+        piece: &Strip,
+        which: &[u32],
+        rims: &[Option<Rim>],
+    ) {
+        let all_printed = which.iter().all(|&i| rims[i as usize].is_some());
+        if !self.p.caps || !all_printed || !piece.closes(contours, which) {
             return;
         }
-        let closed: Vec<Vec<DVec2>> = which
+        let rings: Vec<&Rim> = which
             .iter()
-            .filter(|&&i| contours[i].closed)
-            .filter_map(|&i| rims[i].as_ref())
+            .filter(|&&i| contours[i as usize].closed)
+            .filter_map(|&i| rims[i as usize].as_ref())
             .filter(|rim| rim.closed && rim.points.len() > 2)
+            .collect();
+        let Some(z) = rings.first().map(|rim| rim.points[0].z) else { return };
+        let plan: Vec<Vec<DVec2>> = rings
+            .iter()
             .map(|rim| rim.points.iter().map(|p| p.truncate()).collect())
             .collect();
-        let z = rims.iter().flatten().flat_map(|r| &r.points).map(|p| p.z).next();
-        let Some(z) = z else { return };
         let longest = if level == 0 { f64::INFINITY } else { self.p.span_limit };
-        let (lines, dropped) = hatch(&closed, self.p.cap_spacing, longest);
+        let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest);
         for line in lines {
             let line: Vec<DVec3> = line.into_iter().map(|p| p.extend(z)).collect();
             self.out.polyline(&line, Kind::Cap);
         }
         if dropped > 0.0 {
-            let place = closed.first().and_then(|r| r.first()).copied().unwrap_or_default();
-            self.unprinted.push(Unprinted {
-                low: z,
-                high: z,
-                area: dropped * self.p.cap_spacing,
-                place: place.extend(z),
-                reason: Reason::WideRoof,
-            });
+            let (low, high, reason) = (z, z, Reason::WideRoof);
+            let place = plan[0][0].extend(z);
+            let area = dropped * self.p.cap_spacing;
+            self.unprinted.push(Unprinted { low, high, area, place, reason });
         }
     }
 

@@ -23,6 +23,7 @@ pub struct Sliced {
     /// Strips of each slab, from `upper[k]` to `lower[k + 1]`.
     pub strips: Vec<Vec<Strip>>,
     /// Where `lower` and `upper` of a level differ: which of them touch, across which flat area.
+    /// At the first level: what closes the model below; at the last one, what closes it above.
     pub ledges: Vec<Option<Vec<Strip>>>,
 }
 
@@ -42,7 +43,7 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
     let mut lower: Vec<Vec<Contour>> =
         cut(mesh, &planes).into_par_iter().map(|l| contours(union(l), speck)).collect();
     let upper = lower.split_off(levels.len());
-    if upper.iter().chain(&lower).all(Vec::is_empty) {
+    if levels.is_empty() || upper.iter().chain(&lower).all(Vec::is_empty) {
         return Err(CoreError::NoContour(
             "the model makes no contour: it has no surface that encloses anything".into(),
         ));
@@ -56,15 +57,16 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
         })
         .collect();
     let strips = all_strips(mesh, &slabs);
+    let top = levels.len() - 1;
     let steps: Vec<usize> =
-        (1..levels.len()).filter(|&k| !same(&lower[k], &upper[k])).collect();
+        (0..=top).filter(|&k| k == 0 || k == top || !same(&lower[k], &upper[k])).collect();
     let ranges: Vec<Slab> = steps
         .iter()
         .map(|&k| Slab {
-            z_lower: levels[k].low,
-            lower: &lower[k],
-            z_upper: levels[k].high,
-            upper: &upper[k],
+            z_lower: if k == 0 { f64::NEG_INFINITY } else { levels[k].low },
+            lower: if k == 0 { &[] } else { &lower[k] },
+            z_upper: if k == top { f64::INFINITY } else { levels[k].high },
+            upper: if k == top && k > 0 { &[] } else { &upper[k] },
         })
         .collect();
     let mut ledges: Vec<Option<Vec<Strip>>> = vec![None; levels.len()];

@@ -23,6 +23,18 @@ pub struct Strip {
     pub upper: Vec<u32>,
     /// Its surface area, mm².
     pub area: f64,
+    /// Its area as seen from above, mm²: negative where it looks down. A piece that closes all
+    /// of its contours has just their area (divergence theorem); one that ends in a rim has not.
+    pub plan: f64,
+}
+
+impl Strip {
+    /// Whether the piece closes its contours, which are all on one side, like a roof or a floor.
+    #[must_use]
+    pub fn closes(&self, contours: &[Contour], which: &[u32]) -> bool {
+        let net: f64 = which.iter().map(|&i| contours[i as usize].area).sum();
+        self.plan.abs() >= 0.5 * net.abs()
+    }
 }
 
 /// An interval of heights with the contours of the slices that bound it.
@@ -243,7 +255,9 @@ impl<'a> Surface<'a> {
             let corners = self.mesh.corners(face as usize);
             let (low, high) = extent(corners.map(|corner| corner.z));
             let piece = &mut pieces[self.root(place) as usize];
-            piece.strip.area += area_between(corners, self.interval.low, self.interval.high);
+            let area = area_between(corners, self.interval.low, self.interval.high);
+            piece.strip.area += area;
+            piece.strip.plan += area * upward(corners);
             piece.leaves |= self.interval.is_left_by(low, high);
         }
         for (index, place) in (0..).zip(lower) {
@@ -282,6 +296,11 @@ impl Piece {
     fn touches(&self) -> bool {
         !(self.strip.lower.is_empty() && self.strip.upper.is_empty())
     }
+}
+
+/// The upward part of a triangle's unit normal.
+fn upward([a, b, c]: [DVec3; 3]) -> f64 {
+    (b - a).cross(c - a).normalize_or_zero().z
 }
 
 /// Area of the part of a triangle between two heights, mm²; all of it where it is level.
