@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Sequence
-from typing import ClassVar, TypeAlias, final
+from typing import ClassVar, TypeAlias, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -20,12 +20,14 @@ __all__ = [
     "SettingError",
     "Toolpath",
     "UnprintableError",
+    "Wireframe",
     "WireprintError",
     "__version__",
     "estimate",
     "estimate_files",
     "format_moves",
     "insert_progress",
+    "wireframe",
 ]
 
 __version__: str
@@ -215,3 +217,67 @@ def format_moves(
     labels: list[str],
 ) -> bytes: ...
 def insert_progress(text: bytes, estimate: Estimate, template: str) -> bytes: ...
+class _Head(TypedDict):
+    tip_radius_mm: float
+    slant_deg: float
+    cone_height_mm: float
+    block_radius_mm: float
+    carriage_height_mm: float
+    carriage_radius_mm: float
+
+class _WireParams(TypedDict):
+    strand_mm: float
+    slab_min_mm: float
+    slab_max_mm: float
+    first_layer_height_mm: float
+    deviation_target_mm: float
+    print_mm_s: float
+    pause_s: float
+    pattern: str
+    placement: str
+    caps: bool
+    cap_spacing_mm: float
+    span_limit_mm: float
+    free_end_limit_mm: float
+
+class _Contours(TypedDict):
+    points: npt.NDArray[np.float64]
+    offsets: npt.NDArray[np.int64]
+    slice_offsets: npt.NDArray[np.int64]
+    parent: npt.NDArray[np.int64]
+    depth: npt.NDArray[np.uint32]
+    area: npt.NDArray[np.float64]
+    closed: npt.NDArray[np.bool_]
+
+@final
+class Wireframe:
+    @property
+    def slice_count(self) -> int: ...
+    @property
+    def post_count(self) -> int: ...
+    @property
+    def strand_count(self) -> int: ...
+    @property
+    def levels(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def contours_above(self) -> _Contours: ...
+    @property
+    def contours_below(self) -> _Contours: ...
+    @property
+    def strips(self) -> list[list[tuple[list[int], list[int], float]]]: ...
+    @property
+    def posts(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def post_places(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def strands(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def strand_kinds(self) -> npt.NDArray[np.uint8]: ...
+    @property
+    def strand_slabs(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def unprinted(
+        self,
+    ) -> list[tuple[str, float, float, float, tuple[float, float, float]]]: ...
+
+def wireframe(mesh: Mesh, head: _Head, params: _WireParams) -> Wireframe: ...

@@ -282,6 +282,9 @@ class Wire(Section):
     placement: Literal["optimal", "paper"] = Field(
         "optimal", description="of posts; paper: average of even spacing and nearest points"
     )
+    deviation_target_mm: float = Field(
+        0.3, gt=0, le=10, description="mean deviation at which a slab counts as twice its time"
+    )
     strategy: Literal["pause", "slow", "overshoot"] = Field(
         "pause", description="against sagging strokes; the paper found pause the fastest"
     )
@@ -316,6 +319,9 @@ class Wire(Section):
         20.0, gt=0, le=200, description="longest stretch held at one end; estimated"
     )
     caps: bool = Field(True, description="close flat faces; off: the paper's open look")
+    cap_spacing_mm: float = Field(
+        6.0, gt=0.5, le=50, description="between a cap's strands; keeps coverage_within_mm"
+    )
     supports: Literal["wire", "none"] = Field("wire", description="under what would hang in air")
     coverage_within_mm: float = Field(
         4.0, gt=0, le=50, description="surface this near to a strand counts as covered"

@@ -100,6 +100,9 @@ impl WireArgs {
     }
 }
 
+/// A strip as Python sees it: lower contours, upper contours, area mm².
+type StripTuple = (Vec<u32>, Vec<u32>, f64);
+
 /// A model as strands in printing order; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Wireframe {
@@ -182,7 +185,7 @@ impl Wireframe {
 
     /// Strips as a list, one entry a slab, of lists of (lower contours, upper contours, area mm²).
     #[getter]
-    fn strips(&self) -> Vec<Vec<(Vec<u32>, Vec<u32>, f64)>> {
+    fn strips(&self) -> Vec<Vec<StripTuple>> {
         let strips = self.core.sliced.strips.iter();
         strips
             .map(|slab| slab.iter().map(|s| (s.lower.clone(), s.upper.clone(), s.area)).collect())

@@ -70,8 +70,7 @@ pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Lev
     let last = wanted.iter().map(|w| w.low).fold(first, f64::max);
     let candidates = candidates(&wanted, first, last, params);
     let chain = cheapest_chain(mesh, head, params, &candidates, &wanted);
-    let mut levels: Vec<Level> =
-        chain.into_iter().map(|z| Level { z, low: z, high: z }).collect();
+    let mut levels: Vec<Level> = chain.into_iter().map(|z| Level { z, low: z, high: z }).collect();
     widen(&mut levels, &wanted, params.slab_min * 0.5);
     levels
 }
@@ -219,7 +218,8 @@ impl Costs<'_> {
         // A chord of length s on curvature κ strays by κ·s²/12 in the mean.
         let sag = if length > 0.0 { spacing * spacing * turning / (12.0 * length) } else { 0.0 };
         let deviation = (self.profile.deviation(from, to) + sag) / p.deviation_target;
-        let low = if height < p.slab_min - 1e-9 { LOW_FINE * (1.0 - height / p.slab_min) } else { 0.0 };
+        let low =
+            if height < p.slab_min - 1e-9 { LOW_FINE * (1.0 - height / p.slab_min) } else { 0.0 };
         let even = 1e-3 * height * height;
         time * (1.0 + deviation * deviation)
             + self.skipped(from, to)

@@ -1,10 +1,10 @@
 //! Stage 2, slices: where to cut, and the cut itself.
 
 mod cut;
-mod ranks;
 pub mod features;
 pub mod heights;
 mod profile;
+mod ranks;
 
 use glam::DVec2;
 

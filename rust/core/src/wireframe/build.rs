@@ -133,7 +133,8 @@ impl Build<'_> {
                 bare.push(job);
                 continue;
             }
-            let carriers: Vec<&Rim> = job.carriers.iter().filter_map(|&i| rims[i].as_ref()).collect();
+            let carriers: Vec<&Rim> =
+                job.carriers.iter().filter_map(|&i| rims[i].as_ref()).collect();
             let start = self.start(curve, &carriers);
             let input = ZigzagInput {
                 curve,
@@ -208,12 +209,8 @@ impl Build<'_> {
     fn jobs(&mut self, slab: usize, rims: &[Option<Rim>]) -> Vec<Job> {
         let mut jobs = Vec::new();
         for (s, strip) in self.sliced.strips[slab].iter().enumerate() {
-            let carriers: Vec<usize> = strip
-                .lower
-                .iter()
-                .map(|&i| i as usize)
-                .filter(|&i| rims[i].is_some())
-                .collect();
+            let carriers: Vec<usize> =
+                strip.lower.iter().map(|&i| i as usize).filter(|&i| rims[i].is_some()).collect();
             if carriers.is_empty() && strip.upper.is_empty() && !strip.lower.is_empty() {
                 self.give_up(slab, s, Reason::MidAir);
             }
@@ -236,9 +233,8 @@ impl Build<'_> {
                 .map(|p| p.truncate().distance_squared(at))
                 .fold(f64::INFINITY, f64::min)
         };
-        let best = (0..jobs.len())
-            .map(|k| (distance(&jobs[k]), k))
-            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let best =
+            (0..jobs.len()).map(|k| (distance(&jobs[k]), k)).min_by(|a, b| a.0.total_cmp(&b.0))?;
         Some(jobs.remove(best.1))
     }
 
@@ -390,10 +386,8 @@ impl Build<'_> {
             .filter(|rim| rim.closed && rim.points.len() > 2)
             .collect();
         let Some(z) = rings.first().map(|rim| rim.points[0].z) else { return };
-        let plan: Vec<Vec<DVec2>> = rings
-            .iter()
-            .map(|rim| rim.points.iter().map(|p| p.truncate()).collect())
-            .collect();
+        let plan: Vec<Vec<DVec2>> =
+            rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
         let longest = if level == 0 { f64::INFINITY } else { self.p.span_limit };
         let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest);
         for line in lines {

@@ -29,7 +29,13 @@ impl<'a> Builder<'a> {
     /// Nothing printed yet; the model's plan lies between `low` and `high`.
     #[must_use]
     pub fn new(head: &'a Head, strand: f64, cell: f64, low: DVec2, high: DVec2) -> Self {
-        Self { head, strand, material: Material::new(low, high, cell), slab: 0, strands: Vec::new() }
+        Self {
+            head,
+            strand,
+            material: Material::new(low, high, cell),
+            slab: 0,
+            strands: Vec::new(),
+        }
     }
 
     /// Begins a slab: all that is printed lies below its strands and is out of the head's way.
@@ -112,13 +118,7 @@ impl<'a> Builder<'a> {
 }
 
 /// The polyline of a ring; a closed one ends where it begins.
-fn ring_points(
-    curve: &Curve,
-    start: f64,
-    posts: &[Post],
-    z: f64,
-    tolerance: f64,
-) -> Vec<DVec3> {
+fn ring_points(curve: &Curve, start: f64, posts: &[Post], z: f64, tolerance: f64) -> Vec<DVec3> {
     let length = curve.length();
     let mut stops: Vec<f64> = posts.iter().map(|p| p.s).collect();
     if curve.is_closed() {

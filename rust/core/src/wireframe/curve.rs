@@ -219,7 +219,8 @@ impl Curve {
         let mut found: Vec<(f64, f64)> = Vec::new();
         for i in interior {
             let (s, p) = (self.at[i], self.points[i]);
-            let back = p - self.position(if self.closed { s - reach } else { (s - reach).max(0.0) });
+            let back =
+                p - self.position(if self.closed { s - reach } else { (s - reach).max(0.0) });
             let ahead = self.position(s + reach) - p;
             let turn = back.perp_dot(ahead).atan2(back.dot(ahead)).abs();
             if turn > angle {

@@ -5,13 +5,16 @@ use glam::DVec2;
 /// Directions tried for the lines; the one with the shortest longest line wins.
 const DIRECTIONS: usize = 8;
 
+/// The lines of one row, from left to right.
+type Row = Vec<[DVec2; 2]>;
+
 /// Parallel lines, `spacing` mm apart, through the region that lies within an odd number of the
 /// `rims` (closed polygons). Each run of lines that can be drawn in one stroke, to and fro, is
 /// one polyline whose points all lie on the rims. Lines longer than `longest` mm are left out;
 /// the second value is the length left out, mm.
 #[must_use]
 pub fn hatch(rims: &[Vec<DVec2>], spacing: f64, longest: f64) -> (Vec<Vec<DVec2>>, f64) {
-    let mut best: Option<(f64, DVec2, Vec<Vec<[DVec2; 2]>>)> = None;
+    let mut best: Option<(f64, DVec2, Vec<Row>)> = None;
     for i in 0..DIRECTIONS {
         let angle = std::f64::consts::PI * i as f64 / DIRECTIONS as f64;
         let along = DVec2::from_angle(angle);
@@ -38,10 +41,11 @@ pub fn hatch(rims: &[Vec<DVec2>], spacing: f64, longest: f64) -> (Vec<Vec<DVec2>
 }
 
 /// The lines of each row, from left to right along the direction.
-fn rows(rims: &[Vec<DVec2>], along: DVec2, spacing: f64) -> Vec<Vec<[DVec2; 2]>> {
+fn rows(rims: &[Vec<DVec2>], along: DVec2, spacing: f64) -> Vec<Row> {
     let across = along.perp();
     let heights = rims.iter().flatten().map(|p| p.dot(across));
-    let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |m, h| (m.0.min(h), m.1.max(h)));
+    let (low, high) =
+        heights.fold((f64::INFINITY, f64::NEG_INFINITY), |m, h| (m.0.min(h), m.1.max(h)));
     if high.partial_cmp(&low) != Some(std::cmp::Ordering::Greater) {
         return Vec::new();
     }
@@ -51,10 +55,8 @@ fn rows(rims: &[Vec<DVec2>], along: DVec2, spacing: f64) -> Vec<Vec<[DVec2; 2]>>
     (1..=count as usize)
         .map(|i| {
             let level = low + pitch * i as f64;
-            let mut hits: Vec<f64> = rims
-                .iter()
-                .flat_map(|rim| crossings(rim, along, across, level))
-                .collect();
+            let mut hits: Vec<f64> =
+                rims.iter().flat_map(|rim| crossings(rim, along, across, level)).collect();
             hits.sort_by(f64::total_cmp);
             hits.chunks_exact(2)
                 .filter(|x| x[1] - x[0] > 0.25 * spacing)
@@ -78,7 +80,7 @@ fn crossings(rim: &[DVec2], along: DVec2, across: DVec2, level: f64) -> Vec<f64>
 }
 
 /// Joins lines of successive rows to and fro where their near ends lie within `reach` mm.
-fn join(rows: Vec<Vec<[DVec2; 2]>>, along: DVec2, reach: f64) -> Vec<Vec<DVec2>> {
+fn join(rows: Vec<Row>, along: DVec2, reach: f64) -> Vec<Vec<DVec2>> {
     let mut done: Vec<Vec<DVec2>> = Vec::new();
     let mut open: Vec<Vec<DVec2>> = Vec::new();
     for row in rows {

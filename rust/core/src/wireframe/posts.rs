@@ -89,7 +89,10 @@ pub fn candidates(
     // Where two coincide, the one with a foothold on a peak is kept.
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.is_some().cmp(&a.1.is_some())));
     merge_close(&mut places, 0.02 * step);
-    places.into_iter().filter_map(|(s, vertex)| candidate(curve, z, start, s, vertex, rims)).collect()
+    places
+        .into_iter()
+        .filter_map(|(s, vertex)| candidate(curve, z, start, s, vertex, rims))
+        .collect()
 }
 
 /// Arc length of the contour's point next to a rim vertex, if the two are each other's nearest.
@@ -137,7 +140,13 @@ pub fn reachable(head: &Head, from: &Post, to: &Post) -> bool {
 ///
 /// A chain of one post is returned where no second one fits, none where there is no candidate.
 #[must_use]
-pub fn place(curve: &Curve, start: f64, all: &[Candidate], head: &Head, p: &PostParams) -> Vec<Post> {
+pub fn place(
+    curve: &Curve,
+    start: f64,
+    all: &[Candidate],
+    head: &Head,
+    p: &PostParams,
+) -> Vec<Post> {
     let Some(first) = all.first() else { return Vec::new() };
     [WIDEST * p.ideal, f64::INFINITY]
         .into_iter()
@@ -238,7 +247,9 @@ pub fn place_by_averaging(
         let gap = |p: &f64| signed_gap(curve, even, *p);
         let shift = projected.iter().map(gap).min_by(|a, b| a.abs().total_cmp(&b.abs()));
         let s = if i == 0 { 0.0 } else { even + 0.5 * shift.unwrap_or(0.0) };
-        let Some(next) = candidate(curve, z, start, s, None, rims).map(|c| c.post) else { continue };
+        let Some(next) = candidate(curve, z, start, s, None, rims).map(|c| c.post) else {
+            continue;
+        };
         let clear = |earlier: &Post| reachable(head, earlier, &next);
         let last_free = !curve.is_closed() || posts.first().is_none_or(clear);
         if posts.last().is_none_or(clear) && last_free {

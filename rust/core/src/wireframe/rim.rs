@@ -53,7 +53,5 @@ impl Rim {
 /// The nearest place on any of several rims.
 #[must_use]
 pub fn nearest_of(rims: &[&Rim], p: DVec2) -> Option<Foothold> {
-    rims.iter()
-        .filter_map(|rim| rim.nearest(p))
-        .min_by(|a, b| a.distance.total_cmp(&b.distance))
+    rims.iter().filter_map(|rim| rim.nearest(p)).min_by(|a, b| a.distance.total_cmp(&b.distance))
 }

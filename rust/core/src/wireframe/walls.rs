@@ -6,12 +6,17 @@ use glam::DVec2;
 
 use super::curve::Curve;
 
+/// A place on a contour: its number, arc length (mm) and position.
+type Sample = (u32, f64, DVec2);
+/// Samples by the cell of the grid that they fall into.
+type Cells = HashMap<(i32, i32), Vec<Sample>>;
+
 /// The contours of one height, sampled into a grid.
 #[derive(Debug)]
 pub struct Walls {
     cell: f64,
     lengths: Vec<(f64, bool)>,
-    cells: HashMap<(i32, i32), Vec<(u32, f64, DVec2)>>,
+    cells: Cells,
 }
 
 /// Samples along a contour lie this far apart, mm.
@@ -22,7 +27,7 @@ impl Walls {
     #[must_use]
     pub fn new(curves: &[Option<Curve>], reach: f64) -> Self {
         let cell = reach.max(SAMPLE);
-        let mut cells: HashMap<(i32, i32), Vec<(u32, f64, DVec2)>> = HashMap::new();
+        let mut cells = Cells::new();
         let mut lengths = Vec::with_capacity(curves.len());
         for (i, curve) in curves.iter().enumerate() {
             let Some(curve) = curve else {
