@@ -27,6 +27,7 @@ __all__ = [
     "estimate_files",
     "format_moves",
     "insert_progress",
+    "toolpath",
     "wireframe",
 ]
 
@@ -170,8 +171,38 @@ def estimate_files(
     per_move: bool,
 ) -> list[Estimate | WireprintError]: ...
 
+class _PathParams(TypedDict):
+    centre_mm: tuple[float, float]
+    strand_mm: float
+    filament_diameter_mm: float
+    first_layer_height_mm: float
+    print_mm_s: float
+    first_layer_mm_s: float
+    slow_mm_s: float
+    travel_mm_s: float
+    strategy: str
+    cooling: str
+    pause_s: float
+    overshoot_mm: float
+    retract_mm: float
+    retract_speed_mm_s: float
+    unretract_speed_mm_s: float
+    prime_mm: float
+    travel_lift_mm: float
+    skirt_rings: int
+    skirt_gap_mm: float
+    brim_rings: int
+
+class _Figures(TypedDict):
+    strand_mm: float
+    travel_mm: float
+    pauses: int
+    pause_s: float
+    filament_mm: float
+
 @final
 class Toolpath:
+    def figures(self) -> _Figures: ...
     @staticmethod
     def from_arrays(
         *,
@@ -217,6 +248,7 @@ def format_moves(
     labels: list[str],
 ) -> bytes: ...
 def insert_progress(text: bytes, estimate: Estimate, template: str) -> bytes: ...
+
 class _Head(TypedDict):
     tip_radius_mm: float
     slant_deg: float
@@ -281,3 +313,4 @@ class Wireframe:
     ) -> list[tuple[str, float, float, float, tuple[float, float, float]]]: ...
 
 def wireframe(mesh: Mesh, head: _Head, params: _WireParams) -> Wireframe: ...
+def toolpath(wireframe: Wireframe, params: _PathParams) -> Toolpath: ...

@@ -23,7 +23,8 @@ mod _core {
     #[pymodule_export]
     use super::render::Scene;
     #[pymodule_export]
-    use super::toolpath::Toolpath;
+    use super::toolpath::{Toolpath, toolpath};
+    #[pymodule_export]
     use super::wireframe::{Wireframe, wireframe};
 
     #[pymodule_init]

@@ -1,13 +1,17 @@
 //! `wireprint._core.Toolpath`.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use wireprint_core::toolpath;
+use pyo3::types::PyDict;
+use wireprint_core::toolpath as core;
 use wireprint_core::wireframe::Kind;
 
+use wireprint_core::toolpath::{Cooling, PathParams, Strategy};
+
 use crate::arrays;
-use crate::errors::SettingError;
+use crate::errors::{SettingError, detached};
+use crate::wireframe::Wireframe;
 
 /// Every kind at the index of its code.
 const KINDS: [Kind; 11] = [
@@ -27,18 +31,104 @@ const KINDS: [Kind; 11] = [
 /// Every move of the head, in order; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Toolpath {
-    core: toolpath::Toolpath,
+    core: core::Toolpath,
 }
 
 impl Toolpath {
     /// The core's toolpath.
-    pub fn core(&self) -> &toolpath::Toolpath {
+    pub fn core(&self) -> &core::Toolpath {
         &self.core
     }
 }
 
+/// What the toolpath depends on; the names are those of the settings.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct PathArgs {
+    centre_mm: [f64; 2],
+    strand_mm: f64,
+    filament_diameter_mm: f64,
+    first_layer_height_mm: f64,
+    print_mm_s: f64,
+    first_layer_mm_s: f64,
+    slow_mm_s: f64,
+    travel_mm_s: f64,
+    strategy: String,
+    cooling: String,
+    pause_s: f64,
+    overshoot_mm: f64,
+    retract_mm: f64,
+    retract_speed_mm_s: f64,
+    unretract_speed_mm_s: f64,
+    prime_mm: f64,
+    travel_lift_mm: f64,
+    skirt_rings: u32,
+    skirt_gap_mm: f64,
+    brim_rings: u32,
+}
+
+impl PathArgs {
+    fn core(&self) -> PyResult<PathParams> {
+        let strategy = match self.strategy.as_str() {
+            "pause" => Strategy::Pause,
+            "slow" => Strategy::Slow,
+            "overshoot" => Strategy::Overshoot,
+            other => return Err(SettingError::new_err(format!("strategy {other:?} is unknown"))),
+        };
+        let cooling = match self.cooling.as_str() {
+            "valve" => Cooling::Valve,
+            "fan" => Cooling::Fan,
+            "none" => Cooling::Still,
+            other => return Err(SettingError::new_err(format!("cooling {other:?} is unknown"))),
+        };
+        Ok(PathParams {
+            centre: DVec2::from_array(self.centre_mm),
+            strand: self.strand_mm,
+            filament: self.filament_diameter_mm,
+            first_layer: self.first_layer_height_mm,
+            print_speed: self.print_mm_s,
+            bed_speed: self.first_layer_mm_s,
+            slow_speed: self.slow_mm_s,
+            travel_speed: self.travel_mm_s,
+            strategy,
+            cooling,
+            pause: self.pause_s,
+            overshoot: self.overshoot_mm,
+            retract: self.retract_mm,
+            retract_speed: self.retract_speed_mm_s,
+            unretract_speed: self.unretract_speed_mm_s,
+            prime: self.prime_mm,
+            travel_lift: self.travel_lift_mm,
+            skirt_rings: self.skirt_rings,
+            skirt_gap: self.skirt_gap_mm,
+            brim_rings: self.brim_rings,
+        })
+    }
+}
+
+/// The moves that print a wireframe.
+#[pyfunction]
+pub fn toolpath(py: Python<'_>, wireframe: &Wireframe, params: PathArgs) -> PyResult<Toolpath> {
+    let params = params.core()?;
+    let wireframe = wireframe.core();
+    let core = detached(py, || Ok(core::toolpath(&wireframe.strands, &params)))?;
+    Ok(Toolpath { core })
+}
+
 #[pymethods]
 impl Toolpath {
+    /// Sums: `strand_mm`, `travel_mm`, `pauses`, `pause_s`, `filament_mm`.
+    fn figures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let sums = self.core.figures();
+        let dict = PyDict::new(py);
+        dict.set_item("strand_mm", sums.strand)?;
+        dict.set_item("travel_mm", sums.travel)?;
+        dict.set_item("pauses", sums.pauses)?;
+        dict.set_item("pause_s", sums.pause)?;
+        dict.set_item("filament_mm", sums.filament)?;
+        Ok(dict)
+    }
+
     /// A toolpath from its arrays, one entry a move.
     #[staticmethod]
     #[pyo3(signature = (*, start, to, kind, speed, filament, pause, air, slab))]
@@ -71,7 +161,7 @@ impl Toolpath {
             return Err(SettingError::new_err(message));
         }
         let rows = to.as_array();
-        let core = toolpath::Toolpath {
+        let core = core::Toolpath {
             start: start.into(),
             to: rows.rows().into_iter().map(|r| DVec3::new(r[0], r[1], r[2])).collect(),
             kind: kind.as_array().iter().map(|&code| kind_of(code)).collect::<PyResult<_>>()?,

@@ -61,6 +61,9 @@ fn approach(path: &mut Toolpath, strand: &Strand, top: f64, p: &PathParams) {
         path.start = strand.from.truncate().extend(top + p.travel_lift);
         path.travel(path.start, p.travel_speed, slab);
         path.travel(strand.from, p.travel_speed, slab);
+        if p.prime > 0.0 {
+            path.add(strand.from, Kind::Unretract, p.unretract_speed, p.prime, slab);
+        }
         return;
     }
     if at == strand.from {

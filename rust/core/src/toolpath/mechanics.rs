@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{PathParams, Toolpath};
-use crate::wireframe::{Kind, Strand};
+use crate::wireframe::Strand;
 
 /// What makes a stroke that ends in the air hold its shape (paper, "Experimentation").
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,9 +33,7 @@ const BOND: f64 = 2.0;
 
 /// Appends the moves of one strand.
 pub fn print(path: &mut Toolpath, strand: &Strand, p: &PathParams) {
-    let floating = strand.kind != Kind::Contour && strand.slab_rises();
-    let slow = p.strategy == Strategy::Slow && (floating || strand.floating);
-    let speed = if slow { p.slow_speed } else { p.print_speed };
+    let speed = speed(strand, p);
     let feed = strand.from.distance(strand.to) * p.feed_per_mm();
     match (p.strategy, strand.floating) {
         (Strategy::Pause, true) => {
@@ -47,6 +45,16 @@ pub fn print(path: &mut Toolpath, strand: &Strand, p: &PathParams) {
             path.travel(strand.to, p.travel_speed, strand.slab);
         }
         _ => bonded(path, strand, speed, feed, p),
+    }
+}
+
+/// Speed of a strand, mm/s.
+fn speed(strand: &Strand, p: &PathParams) -> f64 {
+    let on_bed = strand.from.z.max(strand.to.z) <= p.first_layer + 1e-9;
+    match p.strategy {
+        _ if on_bed => p.bed_speed,
+        Strategy::Slow if strand.floating || strand.slab_rises() => p.slow_speed,
+        _ => p.print_speed,
     }
 }
 

@@ -47,6 +47,8 @@ pub struct PathParams {
     pub first_layer: f64,
     /// Speed of extruding.
     pub print_speed: f64,
+    /// Speed of extruding onto the bed.
+    pub bed_speed: f64,
     /// Speed of floating strokes under [`Strategy::Slow`].
     pub slow_speed: f64,
     /// Speed of travelling.
@@ -65,6 +67,8 @@ pub struct PathParams {
     pub retract_speed: f64,
     /// Speed of pushing forward again.
     pub unretract_speed: f64,
+    /// Filament fed before the first strand, to fill the nozzle.
+    pub prime: f64,
     /// Height of a travel above all that is printed.
     pub travel_lift: f64,
     /// Rings around the print that prime the nozzle.
