@@ -1,6 +1,8 @@
 """Fixtures for all tests."""
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -14,3 +16,15 @@ def shared():
     if not folder.is_dir():
         pytest.skip(f"{folder} is absent; set WIREPRINT_SHARED")
     return folder
+
+
+@pytest.fixture(scope="session")
+def run_python():
+    """Run code in an interpreter of its own and return what it prints."""
+
+    def run(code):
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    return run

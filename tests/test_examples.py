@@ -60,3 +60,17 @@ def test_nothing_is_left_where_writing_fails(tmp_path):
     assert result.exit_code == 2
     assert str(target) in result.stderr
     assert list(tmp_path.iterdir()) == [target]
+
+
+def test_the_torus_stands_upright_and_has_its_volume():
+    mesh = load("torus")
+    assert mesh.extents == pytest.approx((76, 20, 76), abs=0.1)
+    assert mesh.volume == pytest.approx(2 * math.pi**2 * 28 * 10**2, rel=3e-3)
+    assert mesh.euler_number == 0
+
+
+def test_the_branch_is_one_body_that_forks_and_merges():
+    mesh = load("branch")
+    assert (mesh.body_count, mesh.euler_number) == (1, 0)
+    count = [len(mesh.section([0, 0, 1], [0, 0, z]).discrete) for z in (10, 50, 72, 110)]
+    assert count == [1, 3, 2, 1]

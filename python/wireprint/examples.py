@@ -9,6 +9,13 @@ import math
 import struct
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Floats = npt.NDArray[np.float64]
 
 Point = tuple[float, float, float]
 Triangle = tuple[Point, Point, Point]
@@ -80,11 +87,64 @@ def _arch() -> Iterator[Triangle]:
     return _tube(rings)
 
 
+def _torus() -> Iterator[Triangle]:
+    """Yield a ring that stands upright: it forks just above the bed and merges at the top."""
+    radius, thickness = 28.0, 10.0
+    rings = []
+    for step in range(_AROUND):
+        turn = -2 * math.pi * step / _AROUND
+        circle = [(radius + u, v) for u, v in _circle(thickness)]
+        rings.append([(r * math.sin(turn), v, 38.0 + r * math.cos(turn)) for r, v in circle])
+    for below, above in pairwise([*rings, rings[0]]):
+        yield from _band(below, above)
+
+
+def _branch() -> Iterator[Triangle]:
+    """Yield a trunk that forks into three arms, two of which merge again."""
+    import numpy as np
+
+    from wireprint._implicit import surface
+
+    limbs = [
+        ((0, 0, -40), (0, 0, 24), 13.0),
+        ((0, 0, 24), (24, 0, 56), 8.5),
+        ((0, 0, 24), (-24, 0, 56), 8.5),
+        ((0, 0, 24), (0, 26, 58), 7.5),
+        ((24, 0, 56), (0, 0, 96), 8.5),
+        ((-24, 0, 56), (0, 0, 96), 8.5),
+        ((0, 0, 96), (0, 0, 156), 10.0),
+    ]
+    blend = 2.5
+
+    def outside(x: Floats, y: Floats, z: Floats) -> Floats:
+        """Signed distance, about, from the smooth union of the limbs."""
+        total = np.zeros(np.broadcast_shapes(x.shape, y.shape, z.shape))
+        for start, end, radius in limbs:
+            axis = np.subtract(end, start)
+            arm = (x - start[0], y - start[1], z - start[2])
+            along = sum(a * u for a, u in zip(axis, arm, strict=True)) / (axis @ axis)
+            along = np.clip(along, 0, 1)
+            rest = (u - along * a for a, u in zip(axis, arm, strict=True))
+            total += np.exp((radius - np.sqrt(sum(r * r for r in rest))) / blend)
+        return -blend * np.log(total)
+
+    # The lowest and the highest limb leave the box upright, so that the cuts are flat and round.
+    facets = surface(outside, (-46.0, -26.0, 0.0), (46.0, 46.0, 116.0), 2.0)
+    triangles: list[Triangle] = [(tuple(a), tuple(b), tuple(c)) for a, b, c in facets.tolist()]
+    yield from triangles
+    edges = {edge for a, b, c in triangles for edge in ((a, b), (b, c), (c, a))}
+    for a, b in sorted(edges):
+        if (b, a) not in edges:
+            yield b, a, (0.0, 0.0, a[2])
+
+
 _EXAMPLES: dict[str, Callable[[], Iterator[Triangle]]] = {
     "cube": _cube,
     "sphere": _sphere,
     "bottle": _bottle,
     "arch": _arch,
+    "torus": _torus,
+    "branch": _branch,
 }
 
 

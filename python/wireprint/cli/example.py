@@ -18,8 +18,8 @@ from wireprint.files import written_whole
 def example(name: str, output: Path | None) -> None:
     """Write a model to try.
 
-    NAME is the cube (28 mm) or the sphere (radius 39 mm) of the paper, a bottle (180 mm), or an
-    arch, whose two legs merge.
+    NAME is the cube (28 mm) or the sphere (radius 39 mm) of the paper, a bottle (180 mm), an
+    arch, whose two legs merge, an upright torus, or a branch that forks and merges.
     """
     target = output or Path(f"{name}.stl")
     written_whole(target, examples.stl(name))
