@@ -1,5 +1,6 @@
 //! Stage 3, contours: loops of a slice with their nesting.
 
+mod chains;
 mod nesting;
 pub mod polygon;
 mod sweep;

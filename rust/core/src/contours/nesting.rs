@@ -28,19 +28,19 @@ pub fn contours(loops: Vec<Loop>, min_length: f64) -> Vec<Contour> {
 }
 
 /// The loops that are long enough, and their areas.
-fn measured(mut loops: Vec<Loop>, min_length: f64) -> (Vec<Loop>, Vec<f64>) {
-    loops.retain(|l| length(&l.points, l.closed) >= min_length);
-    let areas = loops.iter().map(area).collect();
+fn measured(loops: Vec<Loop>, min_length: f64) -> (Vec<Loop>, Vec<f64>) {
+    let measure = |l: Loop| {
+        let length = length(&l.points, l.closed);
+        (length >= min_length).then(|| (area(&l, length), l))
+    };
+    let (areas, loops) = loops.into_iter().filter_map(measure).unzip();
     (loops, areas)
 }
 
 /// Signed area of a loop; none for open polylines and lines there and back.
-fn area(l: &Loop) -> f64 {
-    if !l.closed {
-        return 0.0;
-    }
-    let area = signed_area(&l.points);
-    if area.abs() > LINE * length(&l.points, true).powi(2) { area } else { 0.0 }
+fn area(l: &Loop, length: f64) -> f64 {
+    let area = if l.closed { signed_area(&l.points) } else { 0.0 };
+    if area.abs() > LINE * length.powi(2) { area } else { 0.0 }
 }
 
 fn nest(loops: &[Loop], areas: &[f64]) -> Found {

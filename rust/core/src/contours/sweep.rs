@@ -2,21 +2,18 @@
 //!
 //! Each loop is parted into chains that rise in the direction of the sweep; the chains that the
 //! sweep line crosses are kept in order from left to right. As long as no two cross, that order
-//! never changes: so a crossing shows as a vertex on the wrong side of a neighbour. Between two
-//! chains the winding number is constant. O((n + k·m) log k) for n points, m lowest points and
-//! at most k chains side by side.
+//! changes only where chains begin and end, so it is enough to compare neighbours, each pair
+//! once over the stretch along which they are neighbours. Between two chains the winding number
+//! is constant. O(n + k·m) for n points, m chains and at most k of them side by side.
 
-use std::cmp::{Ordering, Reverse};
-use std::collections::BinaryHeap;
-use std::collections::binary_heap::PeekMut;
+use std::cmp::Ordering;
 
 use glam::DVec2;
 
+use super::chains::{Chain, Chains, Key};
 use super::polygon::turn;
 use super::union::UNITS_PER_MM;
 
-/// Slope of the sweep line: out of line with the edges that models usually have.
-const SHEAR: f64 = 0.381_966_011_250_105_1;
 const NONE: u32 = u32::MAX;
 /// Walls nearer than this coincide, mm: the union's grid closes the gap.
 const TOUCH: f64 = 1.0 / UNITS_PER_MM;
@@ -40,267 +37,201 @@ pub(super) struct Found {
 
 /// Sweeps once over the rings.
 pub(super) fn sweep(rings: &[Ring]) -> Found {
-    let mut chains = Vec::new();
-    for (index, ring) in rings.iter().enumerate() {
-        split(index as u32, ring, &mut chains);
-    }
-    let mut sweep = Sweep::new(rings, chains);
+    let chains = Chains::of(rings);
+    let mut sweep = Sweep {
+        rings,
+        links: vec![Link::default(); chains.list.len()],
+        chains,
+        parents: vec![None; rings.len()],
+        first: NONE,
+        sound: true,
+    };
     sweep.run();
     Found { parents: sweep.parents, sound: sweep.sound }
 }
 
-/// Position along the sweep; ties are broken so that different points never tie.
-#[derive(Clone, Copy)]
-struct Key(f64, f64, f64);
-
-impl PartialEq for Key {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Key {}
-
-impl PartialOrd for Key {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Key {
-    fn cmp(&self, other: &Self) -> Ordering {
-        (self.0.total_cmp(&other.0))
-            .then(self.1.total_cmp(&other.1))
-            .then(self.2.total_cmp(&other.2))
-    }
-}
-
-impl Key {
-    fn of(p: DVec2) -> Self {
-        Self(p.y + SHEAR * p.x, p.y, p.x)
-    }
-}
-
-/// How far a rising direction leans to the right: run over rise, seen along the sweep line.
-fn lean(d: DVec2) -> f64 {
-    (d.x - SHEAR * d.y) / (d.y + SHEAR * d.x)
-}
-
-/// Whether the point that gave `turned = turn(a, b, point)` is as good as on the line.
-fn touches(turned: f64, a: DVec2, b: DVec2) -> bool {
-    turned * turned <= TOUCH * TOUCH * a.distance_squared(b)
-}
-
-/// Whether a rising segment from `vertex`, a point as good as on the rising segment `a → b`,
-/// runs along it.
-fn coincide(vertex: DVec2, ahead: DVec2, a: DVec2, b: DVec2) -> bool {
-    let (end, on) = if Key::of(ahead) < Key::of(b) {
-        (ahead, touches(turn(a, b, ahead), a, b))
-    } else {
-        (b, touches(turn(vertex, ahead, b), vertex, ahead))
-    };
-    on && vertex.distance_squared(end) > OVERLAP * OVERLAP
-}
-
-/// A rising run of a ring's points; a point alone where the ring encloses nothing.
-struct Chain {
-    ring: u32,
-    /// Index of the lowest point in the ring.
-    at: u32,
-    /// Segments still to come, the current one included.
-    left: u32,
-    /// Whether the ring runs along the chain upwards.
-    up: bool,
-    /// Winding number just to the right of the chain.
-    winding: i32,
+/// A chain's place in the list from left to right, while the sweep line crosses it.
+#[derive(Clone)]
+struct Link {
     previous: u32,
     next: u32,
+    /// Winding number just to the right of the chain.
+    winding: i32,
+    /// Where along the sweep `next` became its neighbour.
+    since: f64,
 }
 
-/// Adds the ring's chains.
-fn split(index: u32, ring: &Ring, chains: &mut Vec<Chain>) {
-    let points = ring.points;
-    let chain = |at: usize, left: usize, up: bool| Chain {
-        ring: index,
-        at: at as u32,
-        left: left as u32,
-        up,
-        winding: 0,
-        previous: NONE,
-        next: NONE,
-    };
-    if points.is_empty() {
-        return;
-    }
-    if ring.area == 0.0 {
-        chains.push(chain(0, 0, true));
-        return;
-    }
-    let n = points.len();
-    let lowest = (0..n).min_by_key(|&i| Key::of(points[i])).unwrap_or(0);
-    let mut begin = 0;
-    let mut rising = true;
-    for step in 1..=n {
-        let here = Key::of(points[(lowest + step) % n]);
-        let on = step < n && (here < Key::of(points[(lowest + step + 1) % n])) == rising;
-        if !on {
-            let at = if rising { lowest + begin } else { lowest + step };
-            chains.push(chain(at % n, step - begin, rising));
-            (begin, rising) = (step, !rising);
-        }
+impl Default for Link {
+    fn default() -> Self {
+        Self { previous: NONE, next: NONE, winding: 0, since: f64::NEG_INFINITY }
     }
 }
 
-/// The sweep's state: the chains under the line form a doubly linked list from left to right.
+/// The beginning or end of a chain. Where some end and others begin, the ending ones go first;
+/// those that begin go from left to right.
+struct Event {
+    key: Key,
+    begins: bool,
+    lean: f64,
+    chain: u32,
+}
+
+impl Event {
+    fn order(&self, other: &Self) -> Ordering {
+        (self.key.cmp(&other.key))
+            .then(self.begins.cmp(&other.begins))
+            .then(self.lean.total_cmp(&other.lean))
+            .then(self.chain.cmp(&other.chain))
+    }
+}
+
 struct Sweep<'a> {
     rings: &'a [Ring<'a>],
-    chains: Vec<Chain>,
+    chains: Chains<'a>,
+    links: Vec<Link>,
     parents: Vec<Option<u32>>,
     first: u32,
     sound: bool,
 }
 
-impl<'a> Sweep<'a> {
-    fn new(rings: &'a [Ring<'a>], chains: Vec<Chain>) -> Self {
-        Self { rings, chains, parents: vec![None; rings.len()], first: NONE, sound: true }
-    }
-
+impl Sweep<'_> {
     fn run(&mut self) {
-        let start = |(id, chain): (u32, &Chain)| {
-            let (from, to) = (self.lower(chain), self.upper(chain));
-            (Key::of(from), lean(to - from), id)
-        };
-        let mut starts: Vec<(Key, f64, u32)> = (0..).zip(&self.chains).map(start).collect();
-        // Chains that start at one point go from left to right.
-        starts.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
-        let mut starts = starts.into_iter().peekable();
         let mut seen = vec![false; self.rings.len()];
-        let mut ends: BinaryHeap<Reverse<(Key, u32)>> = BinaryHeap::new();
-        loop {
-            // Where chains end and others start at one point, the ending ones go first.
-            if let Some(top) = ends.peek_mut() {
-                let Reverse((key, id)) = *top;
-                if starts.peek().is_none_or(|start| key <= start.0) {
-                    self.step(id, top);
-                    continue;
-                }
+        for Event { key, begins, chain, .. } in self.events() {
+            if !begins {
+                self.remove(chain, key.along);
+                continue;
             }
-            let Some((_, _, id)) = starts.next() else { break };
-            let ring = self.chains[id as usize].ring as usize;
-            let left = self.place(id);
-            if !std::mem::replace(&mut seen[ring], true) {
-                self.parents[ring] = self.enclosing(left);
+            let Chain { ring, segments, .. } = self.chains.list[chain as usize];
+            let left = self.place(chain, key.along);
+            if !std::mem::replace(&mut seen[ring as usize], true) {
+                self.parents[ring as usize] = self.enclosing(left);
             }
-            if self.chains[id as usize].left > 0 {
-                self.insert(id, left);
-                ends.push(Reverse((Key::of(self.upper(&self.chains[id as usize])), id)));
+            if segments > 0 {
+                self.insert(chain, left, key.along);
             }
         }
     }
 
-    /// Moves a chain past the upper end of its current segment.
-    fn step(&mut self, id: u32, mut top: PeekMut<Reverse<(Key, u32)>>) {
-        let chain = &self.chains[id as usize];
-        let (vertex, left, right) = (self.upper(chain), chain.previous, chain.next);
-        let ring = &self.rings[chain.ring as usize];
-        let n = ring.points.len() as u32;
-        let over = chain.left == 1;
-        let at = if chain.up { (chain.at + 1) % n } else { (chain.at + n - 1) % n };
-        let chain = &mut self.chains[id as usize];
-        (chain.at, chain.left) = (at, chain.left - 1);
-        let ahead = if over { vertex } else { self.upper(&self.chains[id as usize]) };
-        self.check(left, vertex, ahead, -1.0);
-        self.check(right, vertex, ahead, 1.0);
-        if over {
-            PeekMut::pop(top);
-            self.remove(id);
-        } else {
-            top.0.0 = Key::of(ahead);
+    fn events(&self) -> Vec<Event> {
+        let mut events = Vec::with_capacity(2 * self.chains.list.len());
+        for (id, chain) in (0..).zip(&self.chains.list) {
+            let (from, ahead) = self.chains.segment(chain, 0);
+            let lean = Key::lean(ahead - from);
+            events.push(Event { key: Key::of(from), begins: true, lean, chain: id });
+            if chain.segments > 0 {
+                let end = self.chains.point(chain, chain.segments);
+                events.push(Event { key: Key::of(end), begins: false, lean: 0.0, chain: id });
+            }
         }
+        events.sort_unstable_by(Event::order);
+        events
     }
 
-    /// Checks that `vertex`, from which a chain goes on to `ahead`, lies on the proper side of
-    /// a neighbour: `side` is −1 where the neighbour is on the left, +1 on the right.
-    fn check(&mut self, neighbour: u32, vertex: DVec2, ahead: DVec2, side: f64) {
-        if let Some(chain) = self.chains.get(neighbour as usize) {
-            let (a, b) = (self.lower(chain), self.upper(chain));
-            let turned = turn(a, b, vertex) * side;
-            let crosses = turned < 0.0;
-            let overlaps = touches(turned, a, b) && coincide(vertex, ahead, a, b);
-            self.sound &= !(crosses || overlaps);
-        }
-    }
-
-    /// The chain to the left of a chain that is about to start.
-    fn place(&mut self, id: u32) -> u32 {
-        let chain = &self.chains[id as usize];
-        let start = self.lower(chain);
-        let ahead = if chain.left > 0 { self.upper(chain) } else { start };
+    /// The chain to the left of a chain that is about to begin.
+    fn place(&self, id: u32, along: f64) -> u32 {
+        let (start, ahead) = self.chains.segment(&self.chains.list[id as usize], 0);
+        let across = Key::across(start);
         let (mut left, mut here) = (NONE, self.first);
         while here != NONE {
-            let other = &self.chains[here as usize];
-            let (a, b) = (self.lower(other), self.upper(other));
-            let at_start = turn(a, b, start);
-            let side = if at_start == 0.0 { turn(a, b, ahead) } else { at_start };
-            if side >= 0.0 {
-                break;
+            let chain = &self.chains.list[here as usize];
+            if across <= chain.rightmost {
+                let (a, b) = self.chains.segment(chain, self.chains.segment_at(chain, along));
+                let at_start = turn(a, b, start);
+                let side = if at_start == 0.0 { turn(a, b, ahead) } else { at_start };
+                if side >= 0.0 {
+                    break;
+                }
             }
-            (left, here) = (here, other.next);
+            (left, here) = (here, self.links[here as usize].next);
         }
         left
     }
 
     /// The ring that encloses the gap to the right of a chain.
-    fn enclosing(&self, chain: u32) -> Option<u32> {
-        let chain = self.chains.get(chain as usize)?;
+    fn enclosing(&self, id: u32) -> Option<u32> {
+        let chain = self.chains.list.get(id as usize)?;
         let enters = chain.up == (self.rings[chain.ring as usize].area < 0.0);
         if enters { Some(chain.ring) } else { self.parents[chain.ring as usize] }
     }
 
-    fn insert(&mut self, id: u32, left: u32) {
-        let (before, right) = match self.chains.get(left as usize) {
-            Some(chain) => (chain.winding, chain.next),
+    fn insert(&mut self, id: u32, left: u32, along: f64) {
+        let (before, right) = match self.links.get(left as usize) {
+            Some(link) => (link.winding, link.next),
             None => (0, self.first),
         };
-        let chain = &mut self.chains[id as usize];
-        chain.winding = before + if chain.up { -1 } else { 1 };
-        (chain.previous, chain.next) = (left, right);
-        self.sound &= (0..=1).contains(&chain.winding);
-        self.link(left, id);
-        if let Some(chain) = self.chains.get_mut(right as usize) {
-            chain.previous = id;
-        }
-        let chain = &self.chains[id as usize];
-        let (start, ahead) = (self.lower(chain), self.upper(chain));
-        self.check(left, start, ahead, -1.0);
-        self.check(right, start, ahead, 1.0);
+        self.compare(left, right, along);
+        let winding = before + if self.chains.list[id as usize].up { -1 } else { 1 };
+        self.sound &= (0..=1).contains(&winding);
+        self.links[id as usize].winding = winding;
+        self.join(left, id, along);
+        self.join(id, right, along);
     }
 
-    fn remove(&mut self, id: u32) {
-        let (left, right) = (self.chains[id as usize].previous, self.chains[id as usize].next);
-        self.link(left, right);
-        if let Some(chain) = self.chains.get_mut(right as usize) {
-            chain.previous = left;
-        }
+    fn remove(&mut self, id: u32, along: f64) {
+        let Link { previous, next, .. } = self.links[id as usize];
+        self.compare(previous, id, along);
+        self.compare(id, next, along);
+        self.join(previous, next, along);
     }
 
-    /// Makes `right` the chain after `left`, or the first one.
-    fn link(&mut self, left: u32, right: u32) {
-        match self.chains.get_mut(left as usize) {
-            Some(chain) => chain.next = right,
+    /// Makes two chains neighbours from here on; either may be none.
+    fn join(&mut self, left: u32, right: u32, along: f64) {
+        match self.links.get_mut(left as usize) {
+            Some(link) => (link.next, link.since) = (right, along),
             None => self.first = right,
         }
+        if let Some(link) = self.links.get_mut(right as usize) {
+            link.previous = left;
+        }
     }
 
-    /// Lower end of a chain's current segment.
-    fn lower(&self, chain: &Chain) -> DVec2 {
-        self.rings[chain.ring as usize].points[chain.at as usize]
+    /// Checks two neighbours up to where they part.
+    fn compare(&mut self, left: u32, right: u32, until: f64) {
+        if left == NONE || right == NONE || !self.sound {
+            return;
+        }
+        let since = self.links[left as usize].since;
+        let list = &self.chains.list;
+        self.sound = self.apart(&list[left as usize], &list[right as usize], since, until);
     }
 
-    /// Upper end of a chain's current segment.
-    fn upper(&self, chain: &Chain) -> DVec2 {
-        let points = self.rings[chain.ring as usize].points;
-        let (at, n) = (chain.at as usize, points.len());
-        points[if chain.up { (at + 1) % n } else { (at + n - 1) % n }]
+    /// Whether one chain stays left of the other all along the stretch.
+    fn apart(&self, left: &Chain, right: &Chain, since: f64, until: f64) -> bool {
+        if left.rightmost + 2.0 * TOUCH < right.leftmost {
+            return true;
+        }
+        let chains = &self.chains;
+        let (mut i, mut j) = (chains.segment_at(left, since), chains.segment_at(right, since));
+        while i < left.segments && j < right.segments {
+            if chains.reach_right(left, i) + 2.0 * TOUCH >= chains.reach_left(right, j)
+                && !in_order(chains.segment(left, i), chains.segment(right, j))
+            {
+                return false;
+            }
+            let (end_i, end_j) = (chains.along(left, i + 1), chains.along(right, j + 1));
+            if end_i.min(end_j) >= until {
+                break;
+            }
+            i += u32::from(end_i <= end_j);
+            j += u32::from(end_j <= end_i);
+        }
+        true
     }
+}
+
+/// Whether of two rising segments, both crossed by the sweep line somewhere, the first lies to
+/// the left: neither across the other nor along it. Touching is in order.
+fn in_order((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> bool {
+    let (low, at_low) =
+        if Key::of(c) < Key::of(a) { (a, offset(c, d, a)) } else { (c, -offset(a, b, c)) };
+    let (high, at_high) =
+        if Key::of(b) < Key::of(d) { (b, offset(c, d, b)) } else { (d, -offset(a, b, d)) };
+    let along = at_low <= TOUCH && at_high <= TOUCH && low.distance(high) > OVERLAP;
+    at_low >= 0.0 && at_high >= 0.0 && !along
+}
+
+/// Distance of a point to the left of a line, mm.
+fn offset(a: DVec2, b: DVec2, p: DVec2) -> f64 {
+    turn(a, b, p) / a.distance(b)
 }
