@@ -245,36 +245,49 @@ impl<'a> Surface<'a> {
         first
     }
 
-    fn strips(mut self, slab: &Slab) -> Vec<Strip> {
-        let mut places = |contours: &[Contour]| -> Vec<Option<u32>> {
-            contours.iter().map(|contour| self.unite_contour(contour)).collect()
-        };
-        let (lower, upper) = (places(slab.lower), places(slab.upper));
-        let mut pieces = vec![Piece::default(); self.faces.len()];
-        for (place, &face) in (0..).zip(self.faces) {
+    /// The pieces, by their smallest face, with their areas. From here on `roots` gives for
+    /// each place the number of its piece.
+    fn pieces(&mut self) -> Vec<Piece> {
+        let mut pieces: Vec<Piece> = Vec::new();
+        for (place, &face) in (0..self.faces.len()).zip(self.faces) {
+            // A root is the smallest of its piece, so it was numbered before its followers,
+            // and so was every place on the way to it.
+            let above = self.roots[place] as usize;
+            self.roots[place] = if above == place {
+                pieces.push(Piece::default());
+                pieces.len() as u32 - 1
+            } else {
+                self.roots[above]
+            };
             let corners = self.mesh.corners(face as usize);
             let (low, high) = extent(corners.map(|corner| corner.z));
-            let piece = &mut pieces[self.root(place) as usize];
+            let piece = &mut pieces[self.roots[place] as usize];
             let area = area_between(corners, self.interval.low, self.interval.high);
             piece.strip.area += area;
             piece.strip.plan += area * upward(corners);
             piece.leaves |= self.interval.is_left_by(low, high);
         }
+        pieces
+    }
+
+    fn strips(mut self, slab: &Slab) -> Vec<Strip> {
+        let mut places = |contours: &[Contour]| -> Vec<Option<u32>> {
+            contours.iter().map(|contour| self.unite_contour(contour)).collect()
+        };
+        let (lower, upper) = (places(slab.lower), places(slab.upper));
+        let mut pieces = self.pieces();
         for (index, place) in (0..).zip(lower) {
             if let Some(place) = place {
-                pieces[self.root(place) as usize].strip.lower.push(index);
+                pieces[self.roots[place as usize] as usize].strip.lower.push(index);
             }
         }
         for (index, place) in (0..).zip(upper) {
             if let Some(place) = place {
-                pieces[self.root(place) as usize].strip.upper.push(index);
+                pieces[self.roots[place as usize] as usize].strip.upper.push(index);
             }
         }
         let mut strips: Vec<Strip> = pieces
             .into_iter()
-            .zip(0_u32..)
-            .filter(|&(_, place)| self.roots[place as usize] == place)
-            .map(|(piece, _)| piece)
             .filter(|piece| piece.touches() || !piece.leaves)
             .map(|piece| piece.strip)
             .collect();
@@ -303,13 +316,16 @@ fn upward([a, b, c]: [DVec3; 3]) -> f64 {
     (b - a).cross(c - a).normalize_or_zero().z
 }
 
-/// Area of the part of a triangle between two heights, mm²; all of it where it is level.
+/// Area of the part of a triangle between two heights, mm²; it must not be level outside them.
 fn area_between(corners: [DVec3; 3], low: f64, high: f64) -> f64 {
     let [a, b, c] = corners;
     let area = (b - a).cross(c - a).length() / 2.0;
     let mut z = corners.map(|corner| corner.z);
+    if z.iter().all(|z| (low..=high).contains(z)) {
+        return area;
+    }
     z.sort_by(f64::total_cmp);
-    if z[0] == z[2] { area } else { area * (share_below(z, high) - share_below(z, low)) }
+    area * (share_below(z, high) - share_below(z, low))
 }
 
 /// Share of a triangle's area below a height; its corners' heights ascend and are not all equal.
