@@ -18,6 +18,7 @@ __all__ = [
     "ModelError",
     "Scene",
     "SettingError",
+    "Slices",
     "Toolpath",
     "UnprintableError",
     "Wireframe",
@@ -27,6 +28,7 @@ __all__ = [
     "estimate_files",
     "format_moves",
     "insert_progress",
+    "slice_mesh",
     "toolpath",
     "wireframe",
 ]
@@ -83,6 +85,31 @@ class Mesh:
     def area(self) -> float: ...
     @property
     def report(self) -> dict[str, int]: ...
+
+@final
+class Slices:
+    @property
+    def points(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def offsets(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def slice_offsets(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def parent(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def depth(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def area(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def closed(self) -> npt.NDArray[np.bool_]: ...
+
+def slice_mesh(
+    mesh: Mesh,
+    heights: npt.NDArray[np.float64],
+    side: str = "below",
+    *,
+    min_length_mm: float = 0.0,
+) -> Slices: ...
 
 _Rgb: TypeAlias = tuple[int, int, int]
 

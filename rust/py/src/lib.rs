@@ -6,6 +6,7 @@ mod estimate;
 mod gcode;
 mod mesh;
 mod render;
+mod slices;
 mod toolpath;
 mod wireframe;
 
@@ -22,6 +23,8 @@ mod _core {
     use super::mesh::Mesh;
     #[pymodule_export]
     use super::render::Scene;
+    #[pymodule_export]
+    use super::slices::{Slices, slice_mesh};
     #[pymodule_export]
     use super::toolpath::{Toolpath, toolpath};
     #[pymodule_export]
