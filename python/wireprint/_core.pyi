@@ -1,8 +1,8 @@
 """The extension module: what the Rust core offers to Python."""
 
 import os
-from collections.abc import Sequence
-from typing import ClassVar, TypeAlias, TypedDict, final
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar, TypeAlias, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,7 @@ from wireprint.limits import MotionTable
 __all__ = [
     "HOLE_PERIMETER",
     "WELD_DISTANCE",
+    "Certificate",
     "Estimate",
     "GcodeError",
     "Mesh",
@@ -24,6 +25,9 @@ __all__ = [
     "Wireframe",
     "WireprintError",
     "__version__",
+    "certify",
+    "coverage",
+    "deviation",
     "estimate",
     "estimate_files",
     "format_moves",
@@ -341,3 +345,56 @@ class Wireframe:
 
 def wireframe(mesh: Mesh, head: _Head, params: _WireParams) -> Wireframe: ...
 def toolpath(wireframe: Wireframe, params: _PathParams) -> Toolpath: ...
+
+_Point: TypeAlias = tuple[float, float, float]
+_Patch: TypeAlias = tuple[float, _Point, _Point, _Point]
+
+@final
+class Certificate:
+    @property
+    def ok(self) -> bool: ...
+    @property
+    def collisions(self) -> list[tuple[int, _Point, _Point, float, int | None]]: ...
+    @property
+    def floating_starts(self) -> list[tuple[int, _Point]]: ...
+    @property
+    def dangling_ends(self) -> list[tuple[int, _Point]]: ...
+    @property
+    def spans_over(self) -> list[tuple[int, _Point, _Point, float, bool]]: ...
+    @property
+    def out_of_bounds(self) -> list[tuple[int, _Point, str, float, float]]: ...
+    @property
+    def moves(self) -> int: ...
+    @property
+    def garbage_lines(self) -> int: ...
+    @property
+    def strand_count(self) -> int: ...
+    @property
+    def max_span_mm(self) -> float: ...
+    @property
+    def max_free_end_mm(self) -> float: ...
+    @property
+    def strands(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def strand_lines(self) -> npt.NDArray[np.uint64]: ...
+    @property
+    def strand_features(self) -> npt.NDArray[np.uint16]: ...
+    @property
+    def features(self) -> list[str]: ...
+    @property
+    def relaxed(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def relaxed_strands(self) -> npt.NDArray[np.uint32]: ...
+    def fidelity(
+        self,
+        mesh: Mesh,
+        centre_mm: tuple[float, float],
+        aside: set[str],
+        within_mm: float,
+    ) -> tuple[float, list[_Patch], tuple[float, float], tuple[float, float]]: ...
+
+def certify(text: bytes, rules: Mapping[str, Any]) -> Certificate: ...
+def coverage(
+    mesh: Mesh, strands: npt.NDArray[np.float64], within_mm: float
+) -> tuple[float, list[_Patch]]: ...
+def deviation(mesh: Mesh, strands: npt.NDArray[np.float64]) -> tuple[float, float]: ...

@@ -1,6 +1,7 @@
 //! The Python binding: converts, releases the GIL, calls the core. No algorithm lives here.
 
 mod arrays;
+mod check;
 mod errors;
 mod estimate;
 mod gcode;
@@ -15,6 +16,8 @@ mod wireframe;
 mod _core {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use super::check::{Certificate, certify, coverage, deviation};
     #[pymodule_export]
     use super::estimate::{Estimate, estimate, estimate_files};
     #[pymodule_export]

@@ -7,20 +7,30 @@ use crate::gcode::reader::Commands;
 /// Judges a G-code text; lines that no firmware executes count for nothing.
 #[must_use]
 pub fn certify_text(text: &[u8], settings: MachineSettings, rules: &Rules) -> Certificate {
-    let (moves, features) = read(text, settings);
-    Certificate { features, ..certify(&moves, rules) }
+    let read = Reading::of(text, settings);
+    let (features, garbage_lines) = (read.features, read.garbage_lines);
+    Certificate { features, garbage_lines, ..certify(&read.moves, rules) }
 }
 
-/// All moves of a text, and the `;TYPE:` labels that they refer to.
-fn read(text: &[u8], settings: MachineSettings) -> (Vec<Step>, Vec<String>) {
-    let mut machine = Machine::new(settings);
-    let mut moves = Vec::new();
-    for (line, command) in Commands::new(text) {
-        machine.apply(line, command, |event| {
-            if let Event::Step(step) = event {
-                moves.push(step);
-            }
-        });
+/// What a text commands.
+struct Reading {
+    moves: Vec<Step>,
+    /// The `;TYPE:` labels that the moves refer to.
+    features: Vec<String>,
+    garbage_lines: usize,
+}
+
+impl Reading {
+    fn of(text: &[u8], settings: MachineSettings) -> Self {
+        let mut machine = Machine::new(settings);
+        let (mut moves, mut garbage_lines) = (Vec::new(), 0);
+        for (line, command) in Commands::new(text) {
+            machine.apply(line, command, |event| match event {
+                Event::Step(step) => moves.push(step),
+                Event::Garbage => garbage_lines += 1,
+                _ => {}
+            });
+        }
+        Self { moves, features: machine.features().to_vec(), garbage_lines }
     }
-    (moves, machine.features().to_vec())
 }

@@ -159,6 +159,10 @@ pub struct Certificate {
     pub max_span: f64,
     /// Longest stretch held at one end, mm.
     pub max_free_end: f64,
+    /// Number of moves, arcs counted by their chords.
+    pub moves: usize,
+    /// Number of lines of a text that no firmware executes.
+    pub garbage_lines: usize,
     /// Strands as commanded, mm.
     pub strands: Vec<[DVec3; 2]>,
     /// Line of each strand.
@@ -217,6 +221,8 @@ pub fn certify(moves: &[Step], rules: &Rules) -> Certificate {
         out_of_bounds,
         max_span: held.max_span,
         max_free_end: held.max_free_end,
+        moves: moves.len(),
+        garbage_lines: 0,
         relaxed: held.relaxed,
         strands: deposit.strands,
         strand_lines: deposit.lines,

@@ -1,0 +1,346 @@
+//! `wireprint._core.certify`, `coverage` and `deviation`.
+
+use std::collections::HashSet;
+
+use glam::{DVec2, DVec3};
+use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use wireprint_core::check::{self, Bed, Bound as Limit, Limits, LooseEnd, Obstacle, Rules};
+use wireprint_core::fidelity;
+use wireprint_core::gcode::machine::{Dialect, MachineSettings};
+
+use crate::arrays;
+use crate::errors::SettingError;
+use crate::mesh::Mesh;
+use crate::wireframe::HeadArgs;
+
+type Point = (f64, f64, f64);
+
+/// What a file is judged by, as `wireprint.check` resolves it: every key is there.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct RulesTable {
+    head: HeadArgs,
+    strand_mm: f64,
+    bed_contact_mm: f64,
+    span_limit_mm: f64,
+    free_end_limit_mm: f64,
+    bed_centre_mm: [f64; 2],
+    bed_half_mm: [f64; 2],
+    bed_round: bool,
+    height_mm: f64,
+    max_feed_mm_s: f64,
+    max_flow_mm3_s: f64,
+    max_filament_only_mm: f64,
+    filament_area_mm2: f64,
+    klipper: bool,
+    arc_resolution_mm: f64,
+    home_mm: [f64; 3],
+    home_all: bool,
+}
+
+impl RulesTable {
+    fn rules(&self) -> PyResult<Rules> {
+        require_positive("strand_mm", self.strand_mm)?;
+        require_positive("bed_contact_mm", self.bed_contact_mm)?;
+        require_positive("arc_resolution_mm", self.arc_resolution_mm)?;
+        Ok(Rules {
+            head: self.head.core()?,
+            strand: self.strand_mm,
+            bed_contact: self.bed_contact_mm,
+            span_limit: self.span_limit_mm,
+            free_end_limit: self.free_end_limit_mm,
+            bed: Bed {
+                centre: DVec2::from(self.bed_centre_mm),
+                half: DVec2::from(self.bed_half_mm),
+                round: self.bed_round,
+                height: self.height_mm,
+            },
+            limits: Limits {
+                feed: self.max_feed_mm_s,
+                flow: self.max_flow_mm3_s,
+                filament_only: self.max_filament_only_mm,
+                filament_area: self.filament_area_mm2,
+            },
+        })
+    }
+
+    fn machine(&self) -> MachineSettings {
+        MachineSettings {
+            dialect: if self.klipper { Dialect::Klipper } else { Dialect::Marlin },
+            arc_resolution: self.arc_resolution_mm,
+            home: DVec3::from(self.home_mm),
+            home_all: self.home_all,
+        }
+    }
+}
+
+/// The verdict on a file: every breach of the rules, in the order of lines; immutable.
+#[pyclass(frozen, module = "wireprint._core")]
+pub struct Certificate {
+    core: check::Certificate,
+}
+
+#[pymethods]
+impl Certificate {
+    /// Whether no rule is broken.
+    #[getter]
+    fn ok(&self) -> bool {
+        self.core.ok()
+    }
+
+    /// Line, tip and material in mm, depth in mm, and line of the strand (None: the bed) of each.
+    #[getter]
+    fn collisions(&self) -> Vec<(u64, Point, Point, f64, Option<u64>)> {
+        let row = |hit: &check::Collision| {
+            let obstacle = match hit.obstacle {
+                Obstacle::Bed => None,
+                Obstacle::Strand { line } => Some(line),
+            };
+            (hit.line, hit.tip.into(), hit.material.into(), hit.depth, obstacle)
+        };
+        self.core.collisions.iter().map(row).collect()
+    }
+
+    /// Line and place in mm of each.
+    #[getter]
+    fn floating_starts(&self) -> Vec<(u64, Point)> {
+        loose_ends(&self.core.floating_starts)
+    }
+
+    /// Line and place in mm of each.
+    #[getter]
+    fn dangling_ends(&self) -> Vec<(u64, Point)> {
+        loose_ends(&self.core.dangling_ends)
+    }
+
+    /// Line, both ends and length in mm, and whether it is held at one end only, of each.
+    #[getter]
+    fn spans_over(&self) -> Vec<(u64, Point, Point, f64, bool)> {
+        let row = |span: &check::Span| {
+            (span.line, span.from.into(), span.to.into(), span.length, span.free_end)
+        };
+        self.core.spans_over.iter().map(row).collect()
+    }
+
+    /// Line, place in mm, what (volume, feed, flow, filament), value and limit of each.
+    #[getter]
+    fn out_of_bounds(&self) -> Vec<(u64, Point, &'static str, f64, f64)> {
+        let row = |breach: &check::OutOfBounds| {
+            let bound = match breach.bound {
+                Limit::Volume => "volume",
+                Limit::Feed => "feed",
+                Limit::Flow => "flow",
+                Limit::FilamentOnly => "filament",
+            };
+            (breach.line, breach.at.into(), bound, breach.value, breach.limit)
+        };
+        self.core.out_of_bounds.iter().map(row).collect()
+    }
+
+    /// Number of moves, arcs counted by their chords.
+    #[getter]
+    fn moves(&self) -> usize {
+        self.core.moves
+    }
+
+    /// Number of lines that no firmware executes.
+    #[getter]
+    fn garbage_lines(&self) -> usize {
+        self.core.garbage_lines
+    }
+
+    /// Number of strands.
+    #[getter]
+    fn strand_count(&self) -> usize {
+        self.core.strands.len()
+    }
+
+    /// Longest stretch held at both ends, mm.
+    #[getter]
+    fn max_span_mm(&self) -> f64 {
+        self.core.max_span
+    }
+
+    /// Longest stretch held at one end, mm.
+    #[getter]
+    fn max_free_end_mm(&self) -> f64 {
+        self.core.max_free_end
+    }
+
+    /// Ends of the strands as commanded, mm, read-only float64 of shape (N, 2, 3).
+    #[getter]
+    fn strands<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        segments(py, self.core.strands.iter().copied())
+    }
+
+    /// Line of each strand, read-only uint64 of shape (N,).
+    #[getter]
+    fn strand_lines<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
+        arrays::vector(py, self.core.strand_lines.clone())
+    }
+
+    /// Feature of each strand, an index into `features`, read-only uint16 of shape (N,).
+    #[getter]
+    fn strand_features<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u16>> {
+        arrays::vector(py, self.core.strand_features.clone())
+    }
+
+    /// The file's `;TYPE:` labels in small letters; the first is empty.
+    #[getter]
+    fn features(&self) -> Vec<String> {
+        self.core.features.clone()
+    }
+
+    /// Compares the strands with a mesh that stands about `centre_mm` on the bed.
+    ///
+    /// Strands with a `;TYPE:` label in `aside` count for nothing. The deviations, mean and
+    /// greatest in mm, are those of the strands as commanded, then relaxed.
+    fn fidelity(
+        &self,
+        py: Python<'_>,
+        mesh: &Mesh,
+        centre_mm: [f64; 2],
+        aside: HashSet<String>,
+        within_mm: f64,
+    ) -> PyResult<FidelityRow> {
+        require_positive("within_mm", within_mm)?;
+        let shift = DVec2::from(centre_mm).extend(0.0);
+        let counts = |strand: usize| {
+            let feature = self.core.strand_features.get(strand).copied().unwrap_or(0);
+            self.core.features.get(usize::from(feature)).is_none_or(|name| !aside.contains(name))
+        };
+        Ok(py.detach(|| {
+            let kept = self.core.strands.iter().enumerate().filter(|(strand, _)| counts(*strand));
+            let commanded = moved(kept.map(|(_, ends)| *ends), shift);
+            let relaxed = self.core.relaxed.iter().filter(|piece| counts(piece.strand as usize));
+            let relaxed = moved(relaxed.map(|piece| piece.ends), shift);
+            let coverage = fidelity::coverage(mesh.core(), &commanded, within_mm);
+            let commanded = fidelity::deviation(mesh.core(), &commanded);
+            let relaxed = fidelity::deviation(mesh.core(), &relaxed);
+            (
+                coverage.share,
+                patch_rows(&coverage),
+                (commanded.mean, commanded.max),
+                (relaxed.mean, relaxed.max),
+            )
+        }))
+    }
+
+    /// What the strands relax to, chords where they hang, mm, read-only float64 of shape (M, 2, 3).
+    #[getter]
+    fn relaxed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        segments(py, self.core.relaxed.iter().map(|piece| piece.ends))
+    }
+
+    /// Index into `strands` of the strand in which each piece of `relaxed` ends, uint32 (M,).
+    #[getter]
+    fn relaxed_strands<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        arrays::vector(py, self.core.relaxed.iter().map(|piece| piece.strand).collect())
+    }
+}
+
+/// Coverage, uncovered patches, deviation as commanded and relaxed.
+type FidelityRow = (f64, Vec<PatchRow>, (f64, f64), (f64, f64));
+
+fn moved(strands: impl Iterator<Item = [DVec3; 2]>, by: DVec3) -> Vec<[DVec3; 2]> {
+    strands.map(|ends| ends.map(|p| p - by)).collect()
+}
+
+fn require_positive(name: &str, value: f64) -> PyResult<()> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(());
+    }
+    Err(SettingError::new_err(format!("{name} is {value}; it must be positive")))
+}
+
+fn loose_ends(ends: &[LooseEnd]) -> Vec<(u64, Point)> {
+    ends.iter().map(|end| (end.line, end.at.into())).collect()
+}
+
+fn segments(
+    py: Python<'_>,
+    segments: impl Iterator<Item = [DVec3; 2]>,
+) -> PyResult<Bound<'_, PyArray3<f64>>> {
+    let flat: Vec<f64> = segments.flatten().flat_map(|p| p.to_array()).collect();
+    let rows = flat.len() / 6;
+    let array = PyArray1::from_vec(py, flat).reshape([rows, 2, 3])?;
+    array.readwrite().make_nonwriteable();
+    Ok(array)
+}
+
+/// Judges a G-code text.
+///
+/// # Errors
+/// `SettingError` for a rule out of its bounds.
+#[pyfunction]
+pub fn certify(
+    py: Python<'_>,
+    text: &Bound<'_, PyBytes>,
+    rules: RulesTable,
+) -> PyResult<Certificate> {
+    let (machine, rules) = (rules.machine(), rules.rules()?);
+    let text = text.as_bytes();
+    Ok(Certificate { core: py.detach(|| check::certify_text(text, machine, &rules)) })
+}
+
+/// An uncovered patch: area in mm², centroid, lowest and highest coordinates in mm.
+type PatchRow = (f64, Point, Point, Point);
+
+/// Share of a mesh's area within `within_mm` of a strand, and the uncovered patches: area in mm²,
+/// centroid, lowest and highest coordinates in mm; the largest first.
+///
+/// # Errors
+/// `SettingError` for a distance that is not positive, `ValueError` for malformed strands.
+#[pyfunction]
+pub fn coverage(
+    py: Python<'_>,
+    mesh: &Mesh,
+    strands: PyReadonlyArray3<'_, f64>,
+    within_mm: f64,
+) -> PyResult<(f64, Vec<PatchRow>)> {
+    require_positive("within_mm", within_mm)?;
+    let strands = ends(&strands)?;
+    let found = py.detach(|| fidelity::coverage(mesh.core(), &strands, within_mm));
+    Ok((found.share, patch_rows(&found)))
+}
+
+fn patch_rows(coverage: &fidelity::Coverage) -> Vec<PatchRow> {
+    let row = |patch: &fidelity::Patch| {
+        (patch.area, patch.centroid.into(), patch.low.into(), patch.high.into())
+    };
+    coverage.uncovered.iter().map(row).collect()
+}
+
+/// Mean (by length) and greatest distance of strands from a mesh's surface, mm.
+///
+/// # Errors
+/// `ValueError` for malformed strands.
+#[pyfunction]
+pub fn deviation(
+    py: Python<'_>,
+    mesh: &Mesh,
+    strands: PyReadonlyArray3<'_, f64>,
+) -> PyResult<(f64, f64)> {
+    let strands = ends(&strands)?;
+    let found = py.detach(|| fidelity::deviation(mesh.core(), &strands));
+    Ok((found.mean, found.max))
+}
+
+fn ends(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
+    let shape = array.shape();
+    if shape[1..] != [2, 3] {
+        return Err(SettingError::new_err(format!(
+            "strands: float64 of shape {shape:?}; (N, 2, 3) is accepted"
+        )));
+    }
+    let values = array.as_array();
+    if values.iter().any(|v| !v.is_finite()) {
+        return Err(SettingError::new_err("strands: every coordinate must be finite"));
+    }
+    let point = |row: &numpy::ndarray::ArrayView2<'_, f64>, end: usize| {
+        DVec3::new(row[[end, 0]], row[[end, 1]], row[[end, 2]])
+    };
+    Ok(values.outer_iter().map(|row| [point(&row, 0), point(&row, 1)]).collect())
+}
