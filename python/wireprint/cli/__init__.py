@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
+    "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),
 }
 
