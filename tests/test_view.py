@@ -11,8 +11,12 @@ from PIL import Image
 
 from wireprint import cli, examples, view
 from wireprint._core import GcodeError, Scene, SettingError, Strands
+from wireprint.gcode.document import moves
 from wireprint.mesh import load_mesh
+from wireprint.settings import Settings
+from wireprint.toolpath import toolpath
 from wireprint.view_legend import round_length
+from wireprint.wireframe import wireframe
 
 SIZE = (240, 160)
 #: Share of such a picture that a strand takes at least.
@@ -294,3 +298,20 @@ def test_wrong_options_are_named_and_nothing_is_written(printed, options, code, 
     assert result.exit_code == code
     assert message in result.stderr
     assert list(printed.parent.iterdir()) == [printed]
+
+
+def test_a_toolpath_is_drawn_as_its_g_code_will_be(tmp_path):
+    settings = Settings.load("kossel-mini", "abs", overrides=["gcode.relative_extrusion=true"])
+    run("example", "cube", "-o", tmp_path / "cube.stl")
+    planned = toolpath(wireframe(load_mesh(tmp_path / "cube.stl"), settings), settings)
+    before = view.strands_of(planned, settings)
+    after = Strands.from_gcode(b"M83\n" + moves(planned, settings))
+    assert len(before) == len(after)
+    assert np.abs(before.segments - after.segments).max() < 1e-3
+
+    def named(strands):
+        return [strands.labels[i] for i in strands.features]
+
+    assert named(before) == named(after)
+    ours = {view.style_of(label) for label in named(after)}
+    assert ours <= set(view.STYLES.values())

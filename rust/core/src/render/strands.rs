@@ -74,11 +74,7 @@ impl Strands {
 
     /// The strands and travels of a toolpath; a label for each kind, `filament_diameter` in mm.
     #[must_use]
-    pub fn from_toolpath(
-        toolpath: &Toolpath,
-        labels: Vec<String>,
-        filament_diameter: f64,
-    ) -> Self {
+    pub fn from_toolpath(toolpath: &Toolpath, labels: Vec<String>, filament_diameter: f64) -> Self {
         let mut strands = Self { labels, ..Self::default() };
         let mut from = toolpath.start;
         for ((&to, &kind), &filament) in
