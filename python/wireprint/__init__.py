@@ -1,1 +1,88 @@
-"""Turns a 3D model into a wire print."""
+"""Turns a 3D model into a wire print that an ordinary printer makes in minutes.
+
+The names here read like the pipeline:
+
+>>> import wireprint
+>>> mesh = wireprint.load_mesh("bottle.stl")  # doctest: +SKIP
+>>> settings = wireprint.Settings.load(printer="kossel-mini", material="abs")
+>>> strands = wireprint.wireframe(mesh, settings)  # doctest: +SKIP
+>>> path = wireprint.toolpath(strands, settings)  # doctest: +SKIP
+>>> wireprint.write_gcode("bottle.gcode", path, settings)  # doctest: +SKIP
+
+`make` does all of it at once and tells the figures. What a name needs is imported when it is
+first used.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from wireprint._core import (
+        GcodeError,
+        Mesh,
+        ModelError,
+        SettingError,
+        Toolpath,
+        UnprintableError,
+        Wireframe,
+        WireprintError,
+        __version__,
+    )
+    from wireprint.gcode.flavors import KINDS
+    from wireprint.mesh import load_mesh
+    from wireprint.pipeline import WirePrint, make, to_gcode, write_gcode
+    from wireprint.settings import Settings
+    from wireprint.stages import toolpath, wireframe
+    from wireprint.timing import estimate
+
+__all__ = [
+    "KINDS",
+    "GcodeError",
+    "Mesh",
+    "ModelError",
+    "SettingError",
+    "Settings",
+    "Toolpath",
+    "UnprintableError",
+    "WirePrint",
+    "Wireframe",
+    "WireprintError",
+    "__version__",
+    "estimate",
+    "load_mesh",
+    "make",
+    "to_gcode",
+    "toolpath",
+    "wireframe",
+    "write_gcode",
+]
+
+_HOMES = {
+    "KINDS": "wireprint.gcode.flavors",
+    "Settings": "wireprint.settings",
+    "WirePrint": "wireprint.pipeline",
+    "estimate": "wireprint.timing",
+    "load_mesh": "wireprint.mesh",
+    "make": "wireprint.pipeline",
+    "to_gcode": "wireprint.pipeline",
+    "toolpath": "wireprint.stages",
+    "wireframe": "wireprint.stages",
+    "write_gcode": "wireprint.pipeline",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import what a name stands for."""
+    if name not in __all__:
+        msg = f"module 'wireprint' has no attribute {name!r}"
+        raise AttributeError(msg)
+    home = importlib.import_module(_HOMES.get(name, "wireprint._core"))
+    value = globals()[name] = getattr(home, name)
+    return value
+
+
+def __dir__() -> list[str]:
+    """List the names that may be used."""
+    return sorted({*globals(), *__all__})

@@ -127,6 +127,13 @@ impl Mesh {
         arrays::points(py, &[low, high])
     }
 
+    /// Extent along x, y and z, mm.
+    #[getter]
+    fn size_mm(&self) -> [f64; 3] {
+        let (low, high) = self.core.bounds();
+        (high - low).to_array()
+    }
+
     /// Enclosed volume, mm³.
     #[getter]
     fn volume(&self) -> f64 {

@@ -9,11 +9,9 @@
 mod bed;
 mod camera;
 mod image;
-mod indexed;
 mod raster;
 mod scene;
 mod shade;
-mod strands;
 mod stroke;
 mod tiles;
 mod triangle;
@@ -21,7 +19,6 @@ mod triangle;
 pub use camera::{Camera, Projector};
 pub use image::{Frame, Image};
 pub use scene::{Facet, Rgb, Scene, Stroke, Width};
-pub use strands::Strands;
 
 use crate::error::{CoreError, Result};
 

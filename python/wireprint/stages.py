@@ -1,4 +1,4 @@
-"""Stage 5: strands become moves, with speeds, filament, pauses and air."""
+"""Stages 2 to 5: a mesh becomes slices, contours and strands, and these become moves."""
 
 from __future__ import annotations
 
@@ -7,8 +7,57 @@ from typing import TYPE_CHECKING
 from wireprint import _core
 
 if TYPE_CHECKING:
-    from wireprint._core import Toolpath, Wireframe
+    from wireprint._core import Mesh, Toolpath, Wireframe
     from wireprint.settings import Settings
+
+
+def wireframe(mesh: Mesh, settings: Settings) -> Wireframe:
+    """Slice a mesh and lay its strands.
+
+    Parameters
+    ----------
+    mesh
+        The model, placed: its lowest point at z = 0.
+    settings
+        Printer, material and way of wiring.
+
+    Returns
+    -------
+    Wireframe
+        Slices, contours, strips, posts and strands, all reachable as numpy arrays.
+
+    Raises
+    ------
+    ModelError
+        Where no slice has a contour.
+    """
+    head, wire = settings.printer.head, settings.wire
+    return _core.wireframe(
+        mesh,
+        {
+            "tip_radius_mm": head.tip_radius_mm,
+            "slant_deg": head.slant_deg,
+            "cone_height_mm": head.cone_height_mm,
+            "block_radius_mm": head.block_radius_mm,
+            "carriage_height_mm": head.carriage_height_mm,
+            "carriage_radius_mm": head.carriage_radius_mm,
+        },
+        {
+            "strand_mm": head.nozzle_mm,
+            "slab_min_mm": settings.slab_min_mm,
+            "slab_max_mm": settings.slab_max_mm,
+            "first_layer_height_mm": settings.first_layer_height_mm,
+            "deviation_target_mm": wire.deviation_target_mm,
+            "print_mm_s": settings.printer.speeds.print_mm_s,
+            "pause_s": settings.pause_s,
+            "pattern": wire.pattern,
+            "placement": wire.placement,
+            "caps": wire.caps,
+            "cap_spacing_mm": wire.cap_spacing_mm,
+            "span_limit_mm": wire.span_limit_mm,
+            "free_end_limit_mm": wire.free_end_limit_mm,
+        },
+    )
 
 
 def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:

@@ -1,0 +1,109 @@
+"""The options that choose settings, for every command that prints."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from wireprint.settings import Settings
+
+Command = TypeVar("Command", bound="Callable[..., object]")
+
+#: Options that stand for one key of the settings: name → (key, choices or type, help).
+_KEYS: dict[str, tuple[str, Any, str]] = {
+    "flavor": (
+        "gcode.flavor",
+        click.Choice(["marlin", "reprapfirmware", "repetier", "klipper"]),
+        "Firmware that reads the G-code.",
+    ),
+    "slab_min": ("wire.slab_min_mm", float, "Lowest slab, mm."),
+    "slab_max": ("wire.slab_max_mm", float, "Highest slab, mm."),
+    "pattern": (
+        "wire.pattern",
+        click.Choice(["zigzag", "peaks"]),
+        "Contours and zigzags, or zigzags alone.",
+    ),
+    "placement": (
+        "wire.placement",
+        click.Choice(["optimal", "paper"]),
+        "Rule by which posts are placed.",
+    ),
+    "strategy": (
+        "wire.strategy",
+        click.Choice(["pause", "slow", "overshoot"]),
+        "What keeps floating strokes from sagging.",
+    ),
+    "cooling": (
+        "cooling.method",
+        click.Choice(["valve", "fan", "none"]),
+        "What solidifies floating strokes.",
+    ),
+    "supports": (
+        "wire.supports",
+        click.Choice(["wire", "none"]),
+        "What carries parts that would hang in the air.",
+    ),
+}
+
+
+def settings_options(command: Command) -> Command:
+    """Add the options that `settings_from` understands."""
+    options = [
+        click.option(
+            "--printer",
+            default="kossel-mini",
+            show_default=True,
+            metavar="NAME|FILE",
+            help="Printer's profile.",
+        ),
+        click.option(
+            "--material",
+            default="abs",
+            show_default=True,
+            metavar="NAME|FILE",
+            help="Material's profile.",
+        ),
+        click.option(
+            "--load",
+            multiple=True,
+            type=click.Path(path_type=Path),
+            metavar="FILE.toml",
+            help="File with settings that differ from the profiles; may be repeated.",
+        ),
+        click.option(
+            "--set",
+            "overrides",
+            multiple=True,
+            metavar="KEY=VALUE",
+            help="A single setting, such as head.slant_deg=40; may be repeated.",
+        ),
+        *(
+            click.option(f"--{name.replace('_', '-')}", name, type=kind, help=text)
+            for name, (_, kind, text) in _KEYS.items()
+        ),
+        click.option(
+            "--caps/--no-caps", default=None, help="Close flat faces, or leave them open."
+        ),
+    ]
+    for option in reversed(options):
+        command = option(command)
+    return command
+
+
+def settings_from(options: dict[str, Any]) -> Settings:
+    """Take the options of `settings_options` out of a command's own and compose the settings."""
+    from wireprint.settings import Settings
+
+    printer, material = options.pop("printer"), options.pop("material")
+    load, overrides = options.pop("load"), list(options.pop("overrides"))
+    keys = {name: key for name, (key, _, _) in _KEYS.items()} | {"caps": "wire.caps"}
+    for name, key in keys.items():
+        value = options.pop(name)
+        if value is not None:
+            overrides.append(f"{key}={str(value).lower() if name == 'caps' else value}")
+    return Settings.load(printer, material, load, overrides)

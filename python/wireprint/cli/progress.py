@@ -1,0 +1,85 @@
+"""A progress bar that shows only where something takes long and somebody looks."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from types import TracebackType
+    from typing import Self
+
+    import rich.progress
+
+#: Work that ends sooner shows nothing, s.
+PATIENCE_S = 1.0
+
+
+class Progress:
+    """Counts finished models on stderr, if that is a terminal and a second has passed."""
+
+    def __init__(self, total: int) -> None:
+        self._total = total
+        self._done = 0
+        self._text = ""
+        self._lock = threading.Lock()
+        self._bar: rich.progress.Progress | None = None
+        self._timer = threading.Timer(PATIENCE_S, self._begin)
+        self._timer.daemon = True
+
+    def __enter__(self) -> Self:
+        """Begin to wait."""
+        if sys.stderr.isatty():
+            self._timer.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        """Remove the bar."""
+        self._timer.cancel()
+        self.clear()
+
+    def show(self, text: str) -> None:
+        """Say what is being done."""
+        self._text = text
+        self._update()
+
+    def advance(self) -> None:
+        """Count one model as finished."""
+        self._done += 1
+        self._update()
+
+    def clear(self) -> None:
+        """Remove the bar, so that other lines may be written."""
+        with self._lock:
+            if self._bar is not None:
+                self._bar.stop()
+                self._bar = None
+
+    def _begin(self) -> None:
+        import rich.console
+        import rich.progress
+
+        with self._lock:
+            self._bar = rich.progress.Progress(
+                rich.progress.SpinnerColumn(),
+                rich.progress.TextColumn("{task.description}"),
+                rich.progress.BarColumn(),
+                rich.progress.MofNCompleteColumn(),
+                rich.progress.TimeElapsedColumn(),
+                console=rich.console.Console(stderr=True),
+                transient=True,
+            )
+            self._bar.add_task(self._text, total=self._total, completed=self._done)
+            self._bar.start()
+
+    def _update(self) -> None:
+        with self._lock:
+            if self._bar is not None:
+                task = self._bar.task_ids[0]
+                self._bar.update(task, description=self._text, completed=self._done)

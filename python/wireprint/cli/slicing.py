@@ -1,0 +1,111 @@
+"""``wireprint slice``."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from wireprint._core import WireprintError
+from wireprint.cli.options import settings_from, settings_options
+from wireprint.cli.placement import placement_options
+from wireprint.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from wireprint.settings import Settings
+
+
+@click.command()
+@click.argument("models", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    type=click.Path(path_type=Path),
+    metavar="OUT",
+    help="G-code file to write; for several models, a folder.",
+)
+@settings_options
+@placement_options
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
+@click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
+def slice_models(
+    models: tuple[Path, ...], output: Path, as_json: bool, quiet: bool, **options: Any
+) -> None:
+    """Turn models into wire prints.
+
+    MODEL is an STL, OBJ, PLY, OFF or 3MF file. Options that name a single setting win over --set,
+    --set wins over --load, and --load over the profiles.
+    """
+    targets = _targets(models, output)
+    settings = settings_from(options)
+    found: list[dict[str, Any]] = []
+    exit_code = 0
+    with Progress(len(models)) as progress:
+        for model, target in zip(models, targets, strict=True):
+            try:
+                found.append(_slice(model, target, settings, options, progress))
+            except WireprintError as error:
+                if len(models) == 1:
+                    raise
+                exit_code = exit_code or error.exit_code
+                found.append({"model": str(model), "error": str(error)})
+                progress.clear()
+                name = "" if str(error).startswith(str(model)) else f"{model}: "
+                click.echo(f"wireprint: error: {name}{error}", err=True)
+    if as_json:
+        click.echo(json.dumps(found[0] if len(models) == 1 else {"models": found}))
+    elif not quiet:
+        from wireprint.cli.summary import lines
+
+        for figures in found:
+            if "error" not in figures:
+                click.echo("\n".join(lines(figures)))
+    if exit_code:
+        sys.exit(exit_code)
+
+
+def _slice(
+    model: Path,
+    target: Path,
+    settings: Settings,
+    placement: dict[str, Any],
+    progress: Progress,
+) -> dict[str, Any]:
+    from wireprint.files import written_whole
+    from wireprint.gcode.document import dated
+    from wireprint.mesh import load_mesh
+    from wireprint.pipeline import Clock, make
+
+    clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
+    with clock.stage("load"):
+        mesh = load_mesh(model, **placement)
+    made = make(mesh, settings, date=dated(model), clock=clock)
+    with clock.stage("write"):
+        written_whole(target, made.gcode)
+    progress.advance()
+    return {
+        "model": str(model),
+        "output": str(target),
+        "printer": settings.printer.name,
+        "material": settings.material.name,
+    } | made.figures()
+
+
+def _targets(models: tuple[Path, ...], output: Path) -> list[Path]:
+    """Where each model goes; a folder is made where several models need one."""
+    if len(models) == 1 and not output.is_dir():
+        return [output]
+    targets = [output / f"{model.stem}.gcode" for model in models]
+    twice = sorted({str(target) for target in targets if targets.count(target) > 1})
+    if twice:
+        msg = f"{twice[0]} would be written by several models"
+        raise click.UsageError(msg)
+    if output.exists() and not output.is_dir():
+        msg = f"{output} is a file; several models need a folder"
+        raise click.UsageError(msg)
+    output.mkdir(parents=True, exist_ok=True)
+    return targets

@@ -1,0 +1,43 @@
+"""The figures of a print in words."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from wireprint.timing import clock
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+
+def lines(figures: Mapping[str, Any]) -> list[str]:
+    """Return what ``wireprint slice`` prints about one model."""
+    return [f"{figures['output']}: {clock(figures['print_time_s'])}", *_rows(figures)]
+
+
+def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
+    x, y, z = figures["size_mm"]
+    yield _row("size", f"{x:.1f} × {y:.1f} × {z:.1f} mm")
+    yield _row("wire", f"{figures['slices']} slices, {figures['posts']} posts")
+    yield _row("strand", f"{figures['strand_mm'] / 1000:.2f} m")
+    yield _row("travel", f"{figures['travel_mm'] / 1000:.2f} m")
+    yield _row("filament", f"{figures['filament_mm']:.0f} mm, {figures['filament_g']:.1f} g")
+    yield _row(
+        "time",
+        f"{clock(figures['print_time_s'])}, {clock(figures['pause_s'])} of it "
+        f"in {figures['pauses']} pauses",
+    )
+    for sentence in figures["repaired"]:
+        yield _row("repaired", sentence)
+    for part in figures["unprinted"]:
+        yield _row(
+            "not printed",
+            f"{part['area_mm2']:.0f} mm² at z {part['low_mm']:.1f}–{part['high_mm']:.1f} mm "
+            f"({part['reason'].replace('_', ' ')}): {part['help']}",
+        )
+    for sentence in figures["warnings"]:
+        yield _row("note", sentence)
+
+
+def _row(name: str, text: str) -> str:
+    return f"  {name:12}{text}"

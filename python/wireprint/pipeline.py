@@ -1,0 +1,173 @@
+"""The whole way from a mesh to G-code, stage by stage, for the command and for notebooks."""
+
+from __future__ import annotations
+
+import time
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from wireprint import report
+from wireprint.files import written_whole
+from wireprint.gcode import document
+from wireprint.stages import toolpath, wireframe
+from wireprint.timing import Filament
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from datetime import datetime
+
+    from wireprint._core import Estimate, Mesh, Toolpath, Wireframe
+    from wireprint.gcode.document import Thumbnail
+    from wireprint.settings import Settings
+
+
+@dataclass
+class Clock:
+    """Time that each stage takes to compute."""
+
+    on_stage: Callable[[str], None] | None = None
+    timings_s: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Announce a stage and measure it, s."""
+        if self.on_stage is not None:
+            self.on_stage(name)
+        begin = time.perf_counter()
+        yield
+        self.timings_s[name] = time.perf_counter() - begin
+
+
+@dataclass(frozen=True)
+class WirePrint:
+    """A model with everything that was made from it."""
+
+    settings: Settings
+    mesh: Mesh
+    wireframe: Wireframe
+    toolpath: Toolpath
+    #: The whole file.
+    gcode: bytes
+    estimate: Estimate
+    #: Seconds per stage.
+    timings_s: dict[str, float]
+
+    def figures(self) -> dict[str, Any]:
+        """Tell what people want to know, under the keys of ``wireprint slice --json``."""
+        moves = self.toolpath.figures()
+        filament, filament_mm = Filament.of(self.settings), self.estimate.filament_mm
+        return {
+            "size_mm": self.mesh.size_mm,
+            "slices": self.wireframe.slice_count,
+            "posts": self.wireframe.post_count,
+            "strand_mm": moves["strand_mm"],
+            "travel_mm": moves["travel_mm"],
+            "pauses": moves["pauses"],
+            "pause_s": moves["pause_s"],
+            "filament_mm": filament_mm,
+            "filament_g": filament.grams(filament_mm),
+            "filament_cost": filament.cost(filament_mm),
+            "print_time_s": self.estimate.total_s,
+            "repaired": report.repairs(self.mesh),
+            "unprinted": report.unprinted(self.wireframe),
+            "warnings": report.warnings(self.mesh),
+            "timings_s": self.timings_s,
+        }
+
+
+def make(
+    mesh: Mesh,
+    settings: Settings,
+    *,
+    date: datetime | None = None,
+    clock: Clock | None = None,
+    draw: Callable[[Toolpath], Sequence[Thumbnail]] | None = None,
+) -> WirePrint:
+    """Turn a mesh into a wire print.
+
+    Parameters
+    ----------
+    mesh
+        The model, placed.
+    settings
+        Printer, material and way of wiring.
+    date
+        Written into the file; default: as `document.dated` without a file.
+    clock
+        Measures the stages; one that already holds earlier ones is continued.
+    draw
+        Makes the pictures for the file's header.
+
+    Raises
+    ------
+    ModelError
+        No slice has a contour.
+    """
+    clock = clock or Clock()
+    with clock.stage("wireframe"):
+        strands = wireframe(mesh, settings)
+    with clock.stage("toolpath"):
+        path = toolpath(strands, settings)
+    with clock.stage("gcode"):
+        thumbnails = draw(path) if draw is not None else ()
+        gcode, estimate = _written(path, settings, date, thumbnails)
+    return WirePrint(settings, mesh, strands, path, gcode, estimate, clock.timings_s)
+
+
+def to_gcode(
+    toolpath: Toolpath,
+    settings: Settings,
+    *,
+    date: datetime | None = None,
+    thumbnails: Iterable[Thumbnail] = (),
+) -> bytes:
+    """Return a whole G-code file: header, start, moves with progress, end, footer.
+
+    Parameters
+    ----------
+    toolpath
+        The moves.
+    settings
+        The settings that they were made with.
+    date
+        Written into the file; default: as `document.dated` without a file.
+    thumbnails
+        Pictures for the header.
+
+    Raises
+    ------
+    UnprintableError
+        A figure of a move is not finite.
+    """
+    return _written(toolpath, settings, date, thumbnails)[0]
+
+
+def write_gcode(
+    path: str | os.PathLike[str], toolpath: Toolpath, settings: Settings, **options: Any
+) -> None:
+    """Write what `to_gcode` gives to a file: all of it, or nothing.
+
+    Parameters
+    ----------
+    path
+        The file; an older one is replaced.
+    toolpath, settings, **options
+        See `to_gcode`.
+    """
+    written_whole(Path(path), to_gcode(toolpath, settings, **options))
+
+
+def _written(
+    path: Toolpath,
+    settings: Settings,
+    date: datetime | None,
+    thumbnails: Iterable[Thumbnail],
+) -> tuple[bytes, Estimate]:
+    body = document.body(path, settings, date or document.dated(None), thumbnails)
+    body, estimate = document.timed(body, settings)
+    layers = body.count(b";LAYER_CHANGE\n")
+    footer = document.footer(settings, estimate.filament_mm, estimate.total_s, layers)
+    return body + footer, estimate

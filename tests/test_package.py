@@ -1,0 +1,68 @@
+"""The library: its names, and that they are cheap, safe and repeatable."""
+
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+import wireprint
+from wireprint import examples
+
+
+@pytest.fixture(scope="module")
+def mesh(tmp_path_factory):
+    model = tmp_path_factory.mktemp("models") / "sphere.stl"
+    model.write_bytes(examples.stl("sphere"))
+    return wireprint.load_mesh(model)
+
+
+@pytest.fixture(scope="module")
+def settings():
+    return wireprint.Settings.load()
+
+
+@pytest.mark.parametrize("name", wireprint.__all__)
+def test_every_name_can_be_had(name):
+    assert getattr(wireprint, name) is not None
+    assert name in dir(wireprint)
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="no attribute 'slicer'"):
+        wireprint.slicer  # noqa: B018
+
+
+def test_importing_the_package_imports_nothing_else():
+    code = (
+        "import sys, wireprint\n"
+        "heavy = {'numpy', 'pydantic', 'click', 'trimesh', 'shapely', 'wireprint._core'}\n"
+        "sys.exit(repr(sorted(heavy & set(sys.modules))))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stderr.strip() == "[]"
+
+
+def test_the_stages_one_by_one_give_what_make_gives(mesh, settings):
+    strands = wireprint.wireframe(mesh, settings)
+    path = wireprint.toolpath(strands, settings)
+    made = wireprint.make(mesh, settings)
+    assert wireprint.to_gcode(path, settings) == made.gcode
+    assert made.figures()["posts"] == strands.post_count
+
+
+def test_gcode_is_written_whole(mesh, settings, tmp_path):
+    path = wireprint.make(mesh, settings).toolpath
+    wireprint.write_gcode(tmp_path / "a.gcode", path, settings)
+    assert (tmp_path / "a.gcode").read_bytes() == wireprint.to_gcode(path, settings)
+    assert [file.name for file in tmp_path.iterdir()] == ["a.gcode"]
+
+
+def test_threads_may_share_a_mesh(mesh, settings):
+    with ThreadPoolExecutor(4) as pool:
+        texts = list(pool.map(lambda _: wireprint.make(mesh, settings).gcode, range(8)))
+    assert len(set(texts)) == 1
+
+
+def test_every_stage_measures_itself(mesh, settings):
+    assert list(wireprint.make(mesh, settings).timings_s) == ["wireframe", "toolpath", "gcode"]
