@@ -1,6 +1,8 @@
 """Print time from the library."""
 
 import dataclasses
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -157,6 +159,27 @@ def test_random_bytes_are_timed_or_refused(text):
     except GcodeError:
         return
     assert 0 <= found.total_s < float("inf")
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
+def test_memory_does_not_grow_with_the_file(tmp_path):
+    lines = b"".join(f"G1 X{i % 97}.25 Y{i % 89} E.5\n".encode() for i in range(50_000))
+    peaks = []
+    for name, times in (("short", 1), ("long", 60)):
+        path = tmp_path / f"{name}.gcode"
+        path.write_bytes(b"M83\nG1 F6000\n" + lines * times)
+        script = (
+            "import re, sys\n"
+            "from wireprint.timing import estimate\n"
+            "estimate(sys.argv[1], printer='kossel-mini')\n"
+            "print(re.search(r'VmHWM:\\s+(\\d+)', open('/proc/self/status').read())[1])\n"
+        )
+        run = subprocess.run(
+            [sys.executable, "-c", script, path], capture_output=True, text=True, check=True
+        )
+        peaks.append(int(run.stdout))
+    assert path.stat().st_size > 40e6
+    assert peaks[1] - peaks[0] < 4_000
 
 
 def test_a_delta_and_a_cartesian_machine_can_be_compared():

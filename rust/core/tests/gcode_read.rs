@@ -163,6 +163,24 @@ proptest! {
     }
 
     #[test]
+    fn a_short_decimal_reads_as_rust_reads_it_whatever_follows(
+        text in "-?[0-9]{0,4}\\.?[0-9]{1,4}", after in "[ A-Z\n;*.,:/\u{80}-\u{ff}]?[ -~]{0,9}"
+    ) {
+        prop_assume!(!after.starts_with(['.']) && !after.starts_with(|c: char| c.is_ascii_digit()));
+        let line = format!("{text}{after}");
+        prop_assert_eq!(decimal(line.as_bytes()), Some((text.parse().unwrap(), text.len())));
+    }
+
+    #[test]
+    fn a_move_among_other_lines_reads_as_it_does_alone(
+        line in "(G1|G0|g1) ([XYZEF]-?[0-9]{0,4}\\.?[0-9]{0,6} ?){0,5}(;c)?\r?", after in "\n[ -~]{0,20}"
+    ) {
+        let text = format!("{line}{after}");
+        let first = Commands::new(text.as_bytes()).next();
+        prop_assert_eq!(first.map(|(_, command)| command), parse_line(line.as_bytes()));
+    }
+
+    #[test]
     fn random_bytes_never_crash(text: Vec<u8>) {
         let _ = Commands::new(&text).count();
     }

@@ -6,6 +6,7 @@ pub mod fixed;
 pub mod lines;
 pub mod machine;
 pub mod number;
+mod plain;
 pub mod progress;
 pub mod reader;
 pub mod template;

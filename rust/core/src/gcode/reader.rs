@@ -11,13 +11,14 @@ use memchr::{memchr, memrchr};
 
 use super::command::{Axes, Centre, Command, Plane, Words};
 use super::number::decimal;
+use super::plain::plain_move;
 use crate::error::Result;
 
 /// Bytes held at a time by [`stream`]; a longer line is garbage.
 const CHUNK: usize = 256 * 1024;
 
 /// No machine has a word beyond this; larger ones would overflow what is computed from them.
-const LARGEST: f64 = 1e9;
+pub(super) const LARGEST: f64 = 1e9;
 
 const BOM: &[u8] = b"\xef\xbb\xbf";
 
@@ -48,6 +49,10 @@ impl<'a> Iterator for Commands<'a> {
     fn next(&mut self) -> Option<Self::Item> {
         while !self.rest.is_empty() {
             self.line += 1;
+            if let Some((command, length)) = plain_move(self.rest) {
+                self.rest = &self.rest[length..];
+                return Some((self.line, command));
+            }
             let end = memchr(b'\n', self.rest);
             let (line, rest) = match end {
                 Some(end) => (&self.rest[..end], &self.rest[end + 1..]),
@@ -291,8 +296,9 @@ impl<'a> Cursor<'a> {
     }
 }
 
+/// Sets the word of an axis; other letters are ignored.
 #[inline]
-fn set_axis(axes: &mut Axes, letter: u8, value: f64) {
+pub(super) fn set_axis(axes: &mut Axes, letter: u8, value: f64) {
     match letter {
         b'X' => axes.x = Some(value),
         b'Y' => axes.y = Some(value),

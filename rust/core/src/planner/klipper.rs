@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::limits::{Kinematics, Limits, set_positive};
 use super::queue::{BATCH, MOST, Sink, Tag};
-use super::trapezoid::duration;
+use super::trapezoid::{duration, lesser};
 use crate::gcode::command::Command;
 use crate::gcode::machine::Step;
 
@@ -50,8 +50,8 @@ impl Move {
 
     #[inline]
     fn limit(&mut self, speed_v: f64, accel: f64) {
-        self.top_v2 = self.top_v2.min(speed_v * speed_v);
-        self.accel = self.accel.min(accel);
+        self.top_v2 = lesser(self.top_v2, speed_v * speed_v);
+        self.accel = lesser(self.accel, accel);
     }
 }
 
@@ -89,9 +89,9 @@ impl Backward {
     #[inline]
     fn step(&mut self, item: &Move) -> Plan {
         let reachable_v2 = self.next_v2 + item.delta_v2;
-        let start_v2 = item.start_v2.min(reachable_v2);
+        let start_v2 = lesser(item.start_v2, reachable_v2);
         let smoothed_reachable_v2 = self.next_smoothed_v2 + item.smoothed_delta_v2;
-        let smoothed_v2 = item.smoothed_start_v2.min(smoothed_reachable_v2);
+        let smoothed_v2 = lesser(item.smoothed_start_v2, smoothed_reachable_v2);
         self.pending += 1;
         let mut cruise_v2 = None;
         if smoothed_v2 < smoothed_reachable_v2 {
@@ -100,7 +100,7 @@ impl Backward {
                 self.peak_v2 = (smoothed_v2 + smoothed_reachable_v2) / 2.0;
             }
             let meeting_v2 = (start_v2 + reachable_v2) / 2.0;
-            cruise_v2 = Some(meeting_v2.min(item.top_v2).min(self.peak_v2));
+            cruise_v2 = Some(lesser(lesser(meeting_v2, item.top_v2), self.peak_v2));
             self.pending = 0;
         }
         let plan = Plan { start_v2, cruise_v2, end_v2: self.next_v2 };
@@ -226,7 +226,7 @@ impl Klipper {
         let (speed_v, accel) = if standing {
             (step.speed, FILAMENT_ACCEL)
         } else {
-            (step.speed.min(self.current.max_velocity), self.current.max_accel)
+            (lesser(step.speed, self.current.max_velocity), self.current.max_accel)
         };
         let smoothed_accel = self.current.max_accel * (1.0 - self.current.minimum_cruise_ratio);
         let mut item = Move {
@@ -244,7 +244,7 @@ impl Klipper {
         }
         self.limit_by_extruder(&mut item, step, displacement, standing);
         item.delta_v2 = 2.0 * length_d * item.accel;
-        item.smoothed_delta_v2 = (2.0 * length_d * smoothed_accel).min(item.delta_v2);
+        item.smoothed_delta_v2 = lesser(2.0 * length_d * smoothed_accel, item.delta_v2);
         item
     }
 
@@ -331,8 +331,9 @@ impl Klipper {
         self.plans.extend(self.queue.iter().take(count).rev().map(|item| backward.step(item)));
         let mut cruise_v2 = self.left_cruise_v2;
         for (item, plan) in self.queue.drain(..count).zip(self.plans.iter().rev()) {
-            cruise_v2 = plan.cruise_v2.unwrap_or(cruise_v2.min(plan.start_v2));
-            let (entry_v2, exit_v2) = (plan.start_v2.min(cruise_v2), plan.end_v2.min(cruise_v2));
+            cruise_v2 = plan.cruise_v2.unwrap_or(lesser(cruise_v2, plan.start_v2));
+            let entry_v2 = lesser(plan.start_v2, cruise_v2);
+            let exit_v2 = lesser(plan.end_v2, cruise_v2);
             sink.take(item.tag, duration(item.length_d, item.accel, entry_v2, cruise_v2, exit_v2));
         }
         self.left_cruise_v2 = cruise_v2;
@@ -344,27 +345,26 @@ impl Klipper {
 fn join(next: &mut Previous, previous: &Previous, corner_feed_v: f64) {
     let (Some(direction), Some(before)) = (next.direction, previous.direction) else { return };
     let (item, last) = (&mut next.item, &previous.item);
-    let mut start_v2 = item.top_v2.min(last.top_v2).min(last.start_v2 + last.delta_v2);
+    let mut start_v2 = lesser(item.top_v2, last.top_v2);
     let feed_change = next.feed_ratio - previous.feed_ratio;
     if feed_change != 0.0 {
         let corner_v = corner_feed_v / feed_change;
-        start_v2 = start_v2.min(corner_v * corner_v);
+        start_v2 = lesser(start_v2, corner_v * corner_v);
     }
     let cosine = -direction.dot(before);
     let half_sine = ((1.0 - cosine) / 2.0).max(0.0).sqrt();
     let half_cosine = ((1.0 + cosine) / 2.0).max(0.0).sqrt();
     if half_sine < 1.0 {
         let radius_ratio = half_sine / (1.0 - half_sine);
-        start_v2 = start_v2
-            .min(radius_ratio * next.junction_deviation * item.accel)
-            .min(radius_ratio * previous.junction_deviation * last.accel);
+        let centripetal =
+            lesser(next.junction_deviation * item.accel, previous.junction_deviation * last.accel);
+        start_v2 = lesser(start_v2, radius_ratio * centripetal);
     }
     if half_cosine > 0.0 {
         // The arc must not be longer than either move allows: its centripetal limit.
         let quarter_tangent = half_sine / (4.0 * half_cosine);
-        start_v2 =
-            start_v2.min(quarter_tangent * item.delta_v2).min(quarter_tangent * last.delta_v2);
+        start_v2 = lesser(start_v2, quarter_tangent * lesser(item.delta_v2, last.delta_v2));
     }
-    item.start_v2 = start_v2;
-    item.smoothed_start_v2 = start_v2.min(last.smoothed_start_v2 + last.smoothed_delta_v2);
+    item.start_v2 = lesser(start_v2, last.start_v2 + last.delta_v2);
+    item.smoothed_start_v2 = lesser(item.start_v2, last.smoothed_start_v2 + last.smoothed_delta_v2);
 }

@@ -1,5 +1,11 @@
 //! The time of one move.
 
+/// The lesser of two numbers: one instruction, since neither is NaN.
+#[inline]
+pub(super) fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
 /// Time of a move of length `length_d` that enters at `√entry_v2`, cruises at `√cruise_v2` and
 /// leaves at `√exit_v2`, changing speed at `accel`, s.
 ///

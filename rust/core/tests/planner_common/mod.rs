@@ -66,3 +66,37 @@ pub fn assert_close(found: f64, expected: f64) {
         "found {found}, expected {expected}"
     );
 }
+
+/// A stretch of constant limits: length in mm, speed in mm/s, acceleration in mm/s².
+#[derive(Clone, Copy)]
+pub struct Stretch {
+    pub length: f64,
+    pub speed: f64,
+    pub accel: f64,
+}
+
+/// Time over stretches, by brute force: the path is cut into tiny pieces, the greatest speed at each
+/// place is found by sweeping back and forth, and time is summed up. `caps` are the greatest speeds
+/// at the ends of the stretches, the start's and the goal's included.
+pub fn integrated_s(stretches: &[Stretch], caps: &[f64]) -> f64 {
+    const PIECES: usize = 2_000;
+    let mut pieces = Vec::new();
+    let mut greatest = vec![caps[0]];
+    for (stretch, cap) in stretches.iter().zip(&caps[1..]) {
+        for _ in 0..PIECES {
+            pieces.push((stretch.length / PIECES as f64, stretch.accel));
+            greatest.push(stretch.speed);
+        }
+        *greatest.last_mut().unwrap_or(&mut 0.0) = *cap;
+        let joint = greatest.len() - 1;
+        greatest[joint] = greatest[joint].min(stretch.speed);
+    }
+    let reach = |v: f64, (length, accel): (f64, f64)| (v * v + 2.0 * accel * length).sqrt();
+    for i in (0..pieces.len()).rev() {
+        greatest[i] = greatest[i].min(reach(greatest[i + 1], pieces[i]));
+    }
+    for i in 0..pieces.len() {
+        greatest[i + 1] = greatest[i + 1].min(reach(greatest[i], pieces[i]));
+    }
+    pieces.iter().zip(greatest.windows(2)).map(|(piece, v)| 2.0 * piece.0 / (v[0] + v[1])).sum()
+}
