@@ -120,20 +120,53 @@ def slice_mesh(
 _Rgb: TypeAlias = tuple[int, int, int]
 
 @final
+class Strands:
+    @staticmethod
+    def read_gcode(path: str | os.PathLike[str]) -> Strands: ...
+    @staticmethod
+    def from_gcode(text: bytes) -> Strands: ...
+    @staticmethod
+    def from_toolpath(
+        toolpath: Toolpath, labels: Sequence[str], filament_diameter_mm: float
+    ) -> Strands: ...
+    @staticmethod
+    def from_arrays(
+        segments: npt.NDArray[np.float64],
+        features: npt.NDArray[np.uint16],
+        labels: Sequence[str],
+        diameter_mm: float,
+    ) -> Strands: ...
+    @property
+    def labels(self) -> list[str]: ...
+    @property
+    def lengths(self) -> list[float]: ...
+    def bounds(
+        self, labels: Sequence[str]
+    ) -> tuple[tuple[float, float, float], tuple[float, float, float]] | None: ...
+    @property
+    def segments(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def travels(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def travel_after(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def diameters(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def features(self) -> npt.NDArray[np.uint16]: ...
+    def __len__(self) -> int: ...
+
+@final
 class Scene:
     def __new__(cls, *, floor: bool = False) -> Scene: ...
     def add_strands(
         self,
-        segments: npt.NDArray[np.float64],
-        kinds: npt.NDArray[np.uint8],
-        palette: list[_Rgb | None],
-        radius_mm: float,
-    ) -> None: ...
-    def add_lines(
-        self, segments: npt.NDArray[np.float64], colour: _Rgb, width_px: float
+        strands: Strands,
+        palette: Sequence[_Rgb | None],
+        *,
+        travel: _Rgb | None = None,
     ) -> None: ...
     def add_marks(
-        self, points: npt.NDArray[np.float64], colour: _Rgb, radius_mm: float
+        self, points: Sequence[tuple[float, float, float]], colour: _Rgb, radius_mm: float
     ) -> None: ...
     def add_mesh(self, mesh: Mesh, colour: _Rgb, *, edges: _Rgb | None = None) -> None: ...
     def render(
@@ -153,6 +186,7 @@ class Scene:
         supersample: int,
         margins: tuple[float, float, float, float],
         ground: _Rgb | None,
+        small: bool = False,
     ) -> bytes: ...
 
 @final

@@ -20,6 +20,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "info": ("wireprint.cli.info", "info", "Tell size, surface and faults of a model."),
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
+    "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),
 }
 

@@ -144,6 +144,25 @@ fn every_number_of_threads_gives_the_same_bytes() -> Result<()> {
 }
 
 #[test]
+fn slivers_dots_and_what_lies_far_outside_are_drawn_without_failing() -> Result<()> {
+    let far = |i: i32| 10_f64.powi(i) * if i % 2 == 0 { 1.0 } else { -1.0 };
+    let corner = |i| DVec3::new(far(i % 7 - 3), far(i % 5 - 3), far(i % 3 - 2));
+    let mut scene = scene(&[tube([0.0; 3], [0.0; 3], RED)]);
+    for i in 0..200 {
+        let corners = [corner(i), corner(i + 1), corner(i * i)];
+        scene.facets.push(Facet { corners, colour: BLUE, lit: true });
+        let line = Width::Line(f64::from(i % 4));
+        scene.strokes.push(Stroke { from: corner(i), to: corner(i + 3), width: line, colour: RED });
+    }
+    for elevation in [-1.0, 0.0, 1.0] {
+        for field_of_view in [0.0, 1.9] {
+            render(&scene, &Camera { azimuth: 0.3, elevation, field_of_view }, &FRAME)?;
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn an_empty_scene_gives_the_bare_ground_or_full_transparency() -> Result<()> {
     let empty = Scene { floor: true, ..Scene::default() };
     let opaque = render(&empty, &FRONT, &FRAME)?;

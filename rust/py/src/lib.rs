@@ -25,7 +25,7 @@ mod _core {
     #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]
-    use super::render::Scene;
+    use super::render::{Scene, Strands};
     #[pymodule_export]
     use super::slices::{Slices, slice_mesh};
     #[pymodule_export]

@@ -1,22 +1,134 @@
-//! `wireprint._core.Scene`: what a picture shows, filled from arrays and from toolpaths.
+//! `wireprint._core.Strands` and `.Scene`: what is laid, and a picture of it.
+
+use std::path::PathBuf;
 
 use glam::DVec3;
-use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use wireprint_core::render::{self, Camera, Frame, Image, Rgb, Stroke, Width};
+use wireprint_core::render::{self, Camera, Frame, Image, Rgb, Width};
 
+use crate::arrays;
 use crate::errors::{SettingError, detached};
 use crate::mesh::Mesh;
+use crate::toolpath::Toolpath;
+
+type Triple = (f64, f64, f64);
+
+/// Strands in printing order, with their labels, and travels; immutable.
+#[pyclass(frozen, module = "wireprint._core")]
+pub struct Strands {
+    core: render::Strands,
+}
+
+#[pymethods]
+impl Strands {
+    /// Replays a G-code file, any program's.
+    #[staticmethod]
+    fn read_gcode(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let core = detached(py, || render::Strands::from_gcode(&std::fs::read(&path)?))?;
+        Ok(Self { core })
+    }
+
+    /// Replays G-code held in memory.
+    #[staticmethod]
+    fn from_gcode(py: Python<'_>, text: &[u8]) -> PyResult<Self> {
+        Ok(Self { core: detached(py, || render::Strands::from_gcode(text))? })
+    }
+
+    /// The strands of a toolpath; a label for each kind code.
+    #[staticmethod]
+    fn from_toolpath(toolpath: &Toolpath, labels: Vec<String>, filament_diameter_mm: f64) -> Self {
+        let toolpath = toolpath.core();
+        Self { core: render::Strands::from_toolpath(toolpath, labels, filament_diameter_mm) }
+    }
+
+    /// Strands of one diameter: segments float64 (N, 2, 3) in mm, features uint16 (N,).
+    #[staticmethod]
+    fn from_arrays(
+        segments: PyReadonlyArray3<'_, f64>,
+        features: PyReadonlyArray1<'_, u16>,
+        labels: Vec<String>,
+        diameter_mm: f64,
+    ) -> PyResult<Self> {
+        let segments = self::segments(&segments)?;
+        let features = features.as_slice()?.to_vec();
+        if features.len() != segments.len() {
+            return Err(SettingError::new_err(format!(
+                "features: {} indices for {} segments",
+                features.len(),
+                segments.len()
+            )));
+        }
+        if let Some(index) = features.iter().find(|f| usize::from(**f) >= labels.len()) {
+            return Err(SettingError::new_err(format!(
+                "features: {index} for {} labels",
+                labels.len()
+            )));
+        }
+        let diameters = vec![diameter_mm; segments.len()];
+        let none = render::Strands::default();
+        Ok(Self { core: render::Strands { segments, diameters, features, labels, ..none } })
+    }
+
+    /// Labels in small letters; the first, empty one is that of strands before any.
+    #[getter]
+    fn labels(&self) -> Vec<String> {
+        self.core.labels.clone()
+    }
+
+    /// Strand length per label, mm.
+    #[getter]
+    fn lengths(&self) -> Vec<f64> {
+        self.core.lengths()
+    }
+
+    /// Lowest and highest corner of the strands with these labels, mm; `None` without any.
+    fn bounds(&self, labels: Vec<String>) -> Option<(Triple, Triple)> {
+        let (low, high) = self.core.bounds(&labels)?;
+        Some((low.into(), high.into()))
+    }
+
+    /// Start and end of each strand, float64 (N, 6), mm.
+    #[getter]
+    fn segments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        arrays::matrix(py, flat(&self.core.segments), 6)
+    }
+
+    /// Start and end of each travel, float64 (N, 6), mm.
+    #[getter]
+    fn travels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        arrays::matrix(py, flat(&self.core.travels), 6)
+    }
+
+    /// Number of strands laid before each travel, uint32 (N,).
+    #[getter]
+    fn travel_after<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        PyArray1::from_slice(py, &self.core.travel_after)
+    }
+
+    /// Diameter of each strand, float64 (N,), mm.
+    #[getter]
+    fn diameters<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.core.diameters)
+    }
+
+    /// Index of each strand's label, uint16 (N,).
+    #[getter]
+    fn features<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u16>> {
+        PyArray1::from_slice(py, &self.core.features)
+    }
+
+    fn __len__(&self) -> usize {
+        self.core.segments.len()
+    }
+}
 
 /// What a picture shows; filled by its methods, drawn by `render` and `png`.
 #[pyclass(module = "wireprint._core")]
 pub struct Scene {
     core: render::Scene,
 }
-
-/// A palette: the colour of each kind code, `None` for kinds that are left out.
-type Palette = Vec<Option<Rgb>>;
 
 #[pymethods]
 impl Scene {
@@ -26,63 +138,22 @@ impl Scene {
         Self { core: render::Scene { floor, ..render::Scene::default() } }
     }
 
-    /// Add strands: segments float64 (N, 2, 3) in mm, one kind code per segment.
+    /// Add the strands whose label has a colour in the palette, and the travels if they have one.
+    #[pyo3(signature = (strands, palette, *, travel = None))]
     fn add_strands(
         &mut self,
-        segments: PyReadonlyArray3<'_, f64>,
-        kinds: PyReadonlyArray1<'_, u8>,
-        palette: Palette,
-        radius_mm: f64,
+        strands: &Strands,
+        palette: Vec<Option<Rgb>>,
+        travel: Option<Rgb>,
     ) -> PyResult<()> {
-        let segments = self::segments(&segments)?;
-        let kinds = kinds.as_slice()?;
-        if kinds.len() != segments.len() {
+        if palette.len() != strands.core.labels.len() {
             return Err(SettingError::new_err(format!(
-                "kinds: {} codes for {} segments",
-                kinds.len(),
-                segments.len()
+                "palette: {} colours for {} labels",
+                palette.len(),
+                strands.core.labels.len()
             )));
         }
-        let width = Width::Tube(radius_mm);
-        for ([from, to], kind) in segments.into_iter().zip(kinds) {
-            if let Some(colour) = colour_of(&palette, *kind)? {
-                self.core.strokes.push(Stroke { from, to, width, colour });
-            }
-        }
-        Ok(())
-    }
-
-    /// Add flat lines: segments float64 (N, 2, 3) in mm.
-    fn add_lines(
-        &mut self,
-        segments: PyReadonlyArray3<'_, f64>,
-        colour: Rgb,
-        width_px: f64,
-    ) -> PyResult<()> {
-        let width = Width::Line(width_px);
-        let segments = self::segments(&segments)?.into_iter();
-        let strokes = segments.map(|[from, to]| Stroke { from, to, width, colour });
-        self.core.strokes.extend(strokes);
-        Ok(())
-    }
-
-    /// Add balls that nothing hides: points float64 (N, 3) in mm.
-    fn add_marks(
-        &mut self,
-        points: PyReadonlyArray2<'_, f64>,
-        colour: Rgb,
-        radius_mm: f64,
-    ) -> PyResult<()> {
-        if points.shape()[1] != 3 {
-            return Err(SettingError::new_err(format!(
-                "points: float64 of shape {:?}; (N, 3) is accepted",
-                points.shape()
-            )));
-        }
-        let width = Width::Mark(radius_mm);
-        for p in triples(points.as_slice()?) {
-            self.core.strokes.push(Stroke { from: p, to: p, width, colour });
-        }
+        strands.core.add_to(&mut self.core, &palette, travel);
         Ok(())
     }
 
@@ -90,6 +161,18 @@ impl Scene {
     #[pyo3(signature = (mesh, colour, *, edges = None))]
     fn add_mesh(&mut self, mesh: &Mesh, colour: Rgb, edges: Option<Rgb>) {
         self.core.add_mesh(mesh.core(), colour, edges);
+    }
+
+    /// Add balls that nothing hides, at points (x, y, z) in mm.
+    fn add_marks(&mut self, points: Vec<[f64; 3]>, colour: Rgb, radius_mm: f64) {
+        let width = Width::Mark(radius_mm);
+        let marks = points.into_iter().map(DVec3::from_array);
+        self.core.strokes.extend(marks.map(|at| render::Stroke {
+            from: at,
+            to: at,
+            width,
+            colour,
+        }));
     }
 
     /// Draw the picture: RGBA bytes, and pixels per mm at the middle of the scene.
@@ -107,8 +190,9 @@ impl Scene {
         Ok((PyBytes::new(py, &image.rgba), image.px_per_mm))
     }
 
-    /// Draw the picture as the bytes of a PNG file.
-    #[pyo3(signature = (size, camera, *, supersample, margins, ground))]
+    /// Draw the picture as the bytes of a PNG file, of few colours where it shall be `small`.
+    #[expect(clippy::too_many_arguments, reason = "each is a keyword in Python")]
+    #[pyo3(signature = (size, camera, *, supersample, margins, ground, small = false))]
     fn png<'py>(
         &self,
         py: Python<'py>,
@@ -117,9 +201,11 @@ impl Scene {
         supersample: usize,
         margins: [f64; 4],
         ground: Option<Rgb>,
+        small: bool,
     ) -> PyResult<Bound<'py, PyBytes>> {
         let image = self.draw(py, size, camera, supersample, margins, ground)?;
-        Ok(PyBytes::new(py, &detached(py, || image.png())?))
+        let bytes = detached(py, || if small { image.thumbnail_png() } else { image.png() })?;
+        Ok(PyBytes::new(py, &bytes))
     }
 }
 
@@ -143,12 +229,6 @@ impl Scene {
     }
 }
 
-fn colour_of(palette: &Palette, kind: u8) -> PyResult<Option<Rgb>> {
-    palette.get(usize::from(kind)).copied().ok_or_else(|| {
-        SettingError::new_err(format!("kind {kind}: the palette has {} colours", palette.len()))
-    })
-}
-
 fn segments(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
     if array.shape()[1..] != [2, 3] {
         return Err(SettingError::new_err(format!(
@@ -162,4 +242,8 @@ fn segments(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
 
 fn triples(values: &[f64]) -> impl Iterator<Item = DVec3> {
     values.as_chunks::<3>().0.iter().map(|p| DVec3::from_array(*p))
+}
+
+fn flat(segments: &[[DVec3; 2]]) -> Vec<f64> {
+    segments.iter().flatten().flat_map(|p| p.to_array()).collect()
 }

@@ -60,7 +60,8 @@ pub struct Projector {
     distance: f64,
     scale: f64,
     shift: [f64; 2],
-    keys: [f64; 2],
+    nearest: f64,
+    depth: f64,
 }
 
 /// The least distance from the eye at which something is drawn, as a share of the target's.
@@ -87,8 +88,8 @@ impl Projector {
         let half = camera.field_of_view / 2.0;
         let distance = if half > 0.0 { reach / half.sin() } else { f64::INFINITY };
         let up = towards.cross(right);
-        let (shift, keys) = ([0.0; 2], [0.0; 2]);
-        Self { right, up, towards, target, distance, scale: 1.0, shift, keys }
+        let shift = [0.0; 2];
+        Self { right, up, towards, target, distance, scale: 1.0, shift, nearest: 0.0, depth: reach }
     }
 
     /// Scales and shifts the screen so that `points` fill the frame.
@@ -96,7 +97,8 @@ impl Projector {
         let seen: Vec<DVec3> =
             points.iter().map(|p| self.project(*p)).map(|s| DVec3::new(s.x, s.y, s.key)).collect();
         let (low, high) = bounds(&seen).unwrap_or((DVec3::ZERO, DVec3::ONE));
-        self.keys = [low.z, high.z];
+        self.nearest = high.z;
+        self.depth = self.depth.max(high.z - low.z);
         let ss = frame.supersample as f64;
         let [left, top, right, bottom] = frame.margins;
         let room_x = (frame.width as f64 - left - right).max(1.0) * ss;
@@ -143,9 +145,15 @@ impl Projector {
         DVec3::new(vector.dot(self.right), vector.dot(self.up), vector.dot(self.towards))
     }
 
-    /// The nearness of the farthest and of the nearest framed point.
-    pub(super) fn keys(&self) -> [f64; 2] {
-        self.keys
+    /// The nearness of the nearest framed point.
+    pub(super) fn nearest(&self) -> f64 {
+        self.nearest
+    }
+
+    /// The range of nearness that haze fills: at least the scene's radius, so that what is flat
+    /// has no haze.
+    pub(super) fn depth(&self) -> f64 {
+        self.depth
     }
 
     /// Samples per mm at the middle of the scene.

@@ -1,5 +1,6 @@
 //! The frame of a picture and its pixels.
 
+use super::indexed;
 use super::scene::Rgb;
 use crate::error::{CoreError, Result};
 
@@ -61,20 +62,43 @@ impl Image {
     /// # Errors
     /// [`CoreError::Io`] where the encoder fails.
     pub fn png(&self) -> Result<Vec<u8>> {
-        let too_big = |_| CoreError::Setting("the picture is too big for a PNG".into());
-        let width = u32::try_from(self.width).map_err(too_big)?;
-        let height = u32::try_from(self.height).map_err(too_big)?;
+        self.encode(|encoder| {
+            encoder.set_color(png::ColorType::Rgba);
+            encoder.set_compression(png::Compression::Fast);
+            &self.rgba
+        })
+    }
+
+    /// The picture in at most 64 colours as the bytes of a PNG file, a fifth of the size.
+    ///
+    /// # Errors
+    /// [`CoreError::Io`] where the encoder fails.
+    pub fn thumbnail_png(&self) -> Result<Vec<u8>> {
+        let indexed = indexed::reduce(&self.rgba);
+        self.encode(|encoder| {
+            encoder.set_color(png::ColorType::Indexed);
+            encoder.set_palette(indexed.palette.as_slice());
+            encoder.set_trns(indexed.alphas.as_slice());
+            encoder.set_compression(png::Compression::Balanced);
+            encoder.set_filter(png::Filter::NoFilter);
+            &indexed.pixels
+        })
+    }
+
+    /// Writes a PNG file of one byte a channel; `set` chooses the colours and gives the pixels.
+    fn encode<'a>(
+        &self,
+        set: impl FnOnce(&mut png::Encoder<'a, &mut Vec<u8>>) -> &'a [u8],
+    ) -> Result<Vec<u8>> {
+        let failed = |error: png::EncodingError| CoreError::Io(std::io::Error::other(error));
         let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, width, height);
-        encoder.set_color(png::ColorType::Rgba);
+        // A frame's sides are bounded, so they fit.
+        let mut encoder = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
         encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::Balanced);
-        let write = |encoder: png::Encoder<_>| -> std::result::Result<(), png::EncodingError> {
-            let mut writer = encoder.write_header()?;
-            writer.write_image_data(&self.rgba)?;
-            writer.finish()
-        };
-        write(encoder).map_err(|error| CoreError::Io(std::io::Error::other(error)))?;
+        let pixels = set(&mut encoder);
+        let mut writer = encoder.write_header().map_err(failed)?;
+        writer.write_image_data(pixels).map_err(failed)?;
+        writer.finish().map_err(failed)?;
         Ok(bytes)
     }
 }

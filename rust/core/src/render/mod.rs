@@ -9,9 +9,11 @@
 mod bed;
 mod camera;
 mod image;
+mod indexed;
 mod raster;
 mod scene;
 mod shade;
+mod strands;
 mod stroke;
 mod tiles;
 mod triangle;
@@ -19,6 +21,7 @@ mod triangle;
 pub use camera::{Camera, Projector};
 pub use image::{Frame, Image};
 pub use scene::{Facet, Rgb, Scene, Stroke, Width};
+pub use strands::Strands;
 
 use crate::error::{CoreError, Result};
 

@@ -1,5 +1,7 @@
 //! Finds what each sample sees, tile by tile, and gathers samples into pixels.
 
+use std::ops::Range;
+
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -7,7 +9,7 @@ use super::camera::Projector;
 use super::image::{Frame, Image};
 use super::scene::Scene;
 use super::shade::Shader;
-use super::stroke::{Capsule, Part};
+use super::stroke::{BEHIND, Capsule};
 use super::tiles::{SIDE, Tiles, touched};
 use super::triangle::Triangle;
 
@@ -21,14 +23,9 @@ pub(super) struct Sample {
     pub rim: f32,
 }
 
-/// What a sample sees: nothing, or a part of the primitive with this index.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Sight {
-    Ground,
-    Halo,
-    Stroke(u32),
-    Facet(u32),
-}
+/// What a sample sees. Of the primitives, facets come first, then strokes; a halo shows the ground.
+type Sight = u32;
+const GROUND: Sight = Sight::MAX;
 
 /// The scene on the screen, sorted into tiles.
 struct Screen<'a> {
@@ -74,7 +71,7 @@ impl<'a> Screen<'a> {
                 touched(triangle.columns(), side, columns).for_each(|x| put(x, y));
             }
         });
-        let shader = Shader::new(projector.keys(), frame.ground);
+        let shader = Shader::new(projector.nearest(), projector.depth(), frame.ground);
         Self { capsules, triangles, capsule_tiles, triangle_tiles, frame, shader }
     }
 
@@ -87,7 +84,8 @@ impl<'a> Screen<'a> {
                 tile.draw_triangle(&self.triangles[index as usize], index);
             }
             for &index in self.capsule_tiles.at(column, row) {
-                tile.draw_capsule(&self.capsules[index as usize], index);
+                let sight = self.triangles.len() as Sight + index;
+                tile.draw_capsule(&self.capsules[index as usize], sight);
             }
             self.resolve(&tile, column, band);
         }
@@ -118,19 +116,18 @@ impl<'a> Screen<'a> {
         }
     }
 
+    /// The colour of a sample; `None` where nothing is.
     fn colour(&self, tile: &Tile, index: usize) -> Option<Vec3> {
-        let at = tile.place(index);
-        match tile.sights[index] {
-            Sight::Ground | Sight::Halo => self.shader.ground(),
-            Sight::Stroke(i) => {
-                let capsule = &self.capsules[i as usize];
-                Some(self.shader.light(&capsule.surface(at), capsule.colour, capsule.lit))
-            }
-            Sight::Facet(i) => {
-                let triangle = &self.triangles[i as usize];
-                Some(self.shader.light(&triangle.surface(at), triangle.colour, triangle.lit))
-            }
+        let sight = tile.sights[index];
+        if sight == GROUND {
+            return self.shader.ground();
         }
+        let (at, sight) = (tile.place(index), sight as usize);
+        if let Some(triangle) = self.triangles.get(sight) {
+            return Some(self.shader.light(&triangle.surface(at), triangle.colour, triangle.lit));
+        }
+        let capsule = &self.capsules[sight - self.triangles.len()];
+        Some(self.shader.light(&capsule.surface(at), capsule.colour, capsule.lit))
     }
 }
 
@@ -144,14 +141,14 @@ struct Tile {
 
 impl Tile {
     fn new(side: usize) -> Self {
-        let (keys, sights) = (vec![0.0; side * side], vec![Sight::Ground; side * side]);
+        let (keys, sights) = (vec![0.0; side * side], vec![GROUND; side * side]);
         Self { side, origin: Vec2::ZERO, keys, sights }
     }
 
     fn clear(&mut self, x: f32, y: f32) {
         self.origin = Vec2::new(x, y);
-        self.keys.fill(f32::NEG_INFINITY);
-        self.sights.fill(Sight::Ground);
+        self.keys.fill(BEHIND);
+        self.sights.fill(GROUND);
     }
 
     /// The middle of a sample on the screen.
@@ -167,45 +164,45 @@ impl Tile {
     }
 
     /// The sample rows or columns of this tile whose middles lie in an interval of the screen.
-    fn within(&self, [low, high]: [f32; 2], origin: f32) -> std::ops::Range<usize> {
-        let first = (low - origin - 0.5).ceil().max(0.0) as usize;
-        let past = (high - origin + 0.5).floor().max(0.0) as usize;
-        first.min(self.side)..past.min(self.side)
+    fn within(&self, [low, high]: [f32; 2], origin: f32) -> Range<usize> {
+        // Float casts round towards zero and saturate; the bounds are not negative.
+        let first = ((low - origin + 0.5).max(0.0) as usize).min(self.side);
+        let past = ((high - origin + 0.5).max(0.0) as usize).min(self.side);
+        first..past.max(first)
     }
 
-    /// Calls `draw` with each sample of the rows' spans.
+    /// Shows `sight` at the samples of the rows' spans where `hit` is nearer than what is there;
+    /// beside its nearness `hit` tells whether `sight` is there or its halo.
+    #[inline]
     fn fill(
         &mut self,
         rows: [f32; 2],
+        sight: Sight,
         span: impl Fn(f32) -> [f32; 2],
-        hit: impl Fn(Vec2) -> Option<(f32, Sight)>,
+        hit: impl Fn(Vec2) -> (f32, bool),
     ) {
         for row in self.within(rows, self.origin.y) {
             let y = self.origin.y + row as f32 + 0.5;
-            for column in self.within(span(y), self.origin.x) {
-                let at = Vec2::new(self.origin.x + column as f32 + 0.5, y);
-                let index = row * self.side + column;
-                if let Some((key, sight)) = hit(at)
-                    && key > self.keys[index]
-                {
-                    self.keys[index] = key;
-                    self.sights[index] = sight;
+            let columns = self.within(span(y), self.origin.x);
+            let x = self.origin.x + columns.start as f32 + 0.5;
+            let samples = row * self.side + columns.start..row * self.side + columns.end;
+            let line = self.keys[samples.clone()].iter_mut().zip(&mut self.sights[samples]);
+            for (column, (nearest, seen)) in (0_u16..).zip(line) {
+                let (key, is_body) = hit(Vec2::new(x + f32::from(column), y));
+                if key > *nearest {
+                    *nearest = key;
+                    *seen = if is_body { sight } else { GROUND };
                 }
             }
         }
     }
 
-    fn draw_capsule(&mut self, capsule: &Capsule, index: u32) {
-        let sight = |part| match part {
-            Part::Body => Sight::Stroke(index),
-            Part::Halo => Sight::Halo,
-        };
-        let hit = |at| capsule.hit(at).map(|(key, part)| (key, sight(part)));
-        self.fill(capsule.rows(), |y| capsule.span(y), hit);
+    fn draw_capsule(&mut self, capsule: &Capsule, sight: Sight) {
+        self.fill(capsule.rows(), sight, |y| capsule.span(y), |at| capsule.hit(at));
     }
 
-    fn draw_triangle(&mut self, triangle: &Triangle, index: u32) {
-        let hit = |at| Some((triangle.key_at(at), Sight::Facet(index)));
-        self.fill(triangle.rows(), |y| triangle.span(y), hit);
+    fn draw_triangle(&mut self, triangle: &Triangle, sight: Sight) {
+        let hit = |at| (triangle.key_at(at), true);
+        self.fill(triangle.rows(), sight, |y| triangle.span(y), hit);
     }
 }

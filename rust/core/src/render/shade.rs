@@ -22,15 +22,15 @@ const HAZE: Vec3 = Vec3::splat(140.0);
 
 /// Colours the samples of one picture.
 pub(super) struct Shader {
-    far: f32,
+    nearest: f32,
     depth: f32,
     ground: Option<Vec3>,
 }
 
 impl Shader {
-    pub(super) fn new(keys: [f64; 2], ground: Option<Rgb>) -> Self {
-        let depth = (keys[1] - keys[0]).max(1e-6) as f32;
-        Self { far: keys[0] as f32, depth, ground: ground.map(vector) }
+    /// Light for a scene whose nearest point has this nearness and whose haze fills this depth.
+    pub(super) fn new(nearest: f64, depth: f64, ground: Option<Rgb>) -> Self {
+        Self { nearest: nearest as f32, depth: depth as f32, ground: ground.map(vector) }
     }
 
     /// The colour of an empty sample.
@@ -48,7 +48,7 @@ impl Shader {
         let rim = RIM + (1.0 - RIM) * (sample.rim / RIM_FROM).min(1.0);
         let shine = 60.0 * sample.normal.dot(SHINE).max(0.0).powi(24);
         let bright = base * ((AMBIENT + DIFFUSE * lamp) * rim) + Vec3::splat(shine);
-        let distance = 1.0 - ((sample.key - self.far) / self.depth).clamp(0.0, 1.0);
+        let distance = ((self.nearest - sample.key) / self.depth).clamp(0.0, 1.0);
         let haze = self.ground.unwrap_or(HAZE);
         bright.min(Vec3::splat(255.0)).lerp(haze, FOG * distance)
     }

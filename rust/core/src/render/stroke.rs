@@ -13,12 +13,8 @@ const HALO_DEPTH: f32 = 5.0;
 /// A strand is never drawn thinner than this, pixels.
 const LEAST_WIDTH_PX: f64 = 1.1;
 
-/// What part of a stroke a sample shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
-    Body,
-    Halo,
-}
+/// The nearness of nothing.
+pub(super) const BEHIND: f32 = f32::NEG_INFINITY;
 
 /// A projected stroke; lengths in samples, y downwards.
 #[derive(Debug, Clone)]
@@ -35,6 +31,12 @@ pub(super) struct Capsule {
     bulge: f32,
     bulge_step: f32,
     halo: f32,
+    /// Half of the greatest width with the halo, samples.
+    reach: f32,
+    /// From the axis to a flank.
+    side: Vec2,
+    /// Share of the stroke's length per row; infinite or not a number where it is level.
+    per_row: f32,
     /// The side of the tube that faces the eye, in the camera's axes.
     facing: Vec3,
     pub(super) colour: Rgb,
@@ -65,6 +67,8 @@ impl Capsule {
         let start = Vec2::new(a.x as f32, a.y as f32);
         let along = Vec2::new(b.x as f32, b.y as f32) - start;
         let length2 = along.length_squared();
+        let halo = if matches!(stroke.width, Width::Tube(_)) { HALO } else { 0.0 };
+        let reach = radii[0].max(radii[1]) as f32 * (1.0 + halo);
         let axis = projector.to_view(to - from).normalize_or_zero().as_vec3();
         Some(Self {
             from: start,
@@ -76,27 +80,25 @@ impl Capsule {
             radius_step: (radii[1] - radii[0]) as f32,
             bulge: bulges[0] as f32,
             bulge_step: (bulges[1] - bulges[0]) as f32,
-            halo: if matches!(stroke.width, Width::Tube(_)) { HALO } else { 0.0 },
+            halo,
+            reach,
+            side: along.perp().normalize_or_zero() * reach,
+            per_row: 1.0 / along.y,
             facing: (Vec3::Z - axis * axis.z).normalize_or(Vec3::Z),
             colour: stroke.colour,
             lit,
         })
     }
 
-    /// Half of the greatest width, samples.
-    fn reach(&self) -> f32 {
-        self.radius.max(self.radius + self.radius_step) * (1.0 + self.halo)
-    }
-
     /// The rows that the stroke touches.
     pub(super) fn rows(&self) -> [f32; 2] {
         let (a, b) = (self.from.y, self.from.y + self.along.y);
-        [a.min(b) - self.reach(), a.max(b) + self.reach()]
+        [a.min(b) - self.reach, a.max(b) + self.reach]
     }
 
     /// The columns that the stroke may touch between two rows; empty where low > high.
     pub(super) fn columns(&self, top: f32, bottom: f32) -> [f32; 2] {
-        let reach = self.reach();
+        let reach = self.reach;
         let (mut low, mut high) = (0.0_f32, 1.0_f32);
         if self.along.y.abs() > 1e-6 {
             let t = [top - reach, bottom + reach].map(|y| (y - self.from.y) / self.along.y);
@@ -113,47 +115,50 @@ impl Capsule {
     /// The columns of the row through `y`: exact for a stroke of one width, since a capsule is
     /// convex and its row ends lie on an end cap or on one of the two flanks.
     pub(super) fn span(&self, y: f32) -> [f32; 2] {
-        let reach = self.reach();
         let mut span = [f32::INFINITY, f32::NEG_INFINITY];
-        let mut include = |x: f32| span = [span[0].min(x), span[1].max(x)];
-        for end in [self.from, self.from + self.along] {
-            let half2 = reach * reach - (y - end.y) * (y - end.y);
+        let mut include = |low: f32, high: f32| span = [span[0].min(low), span[1].max(high)];
+        let from_start = y - self.from.y;
+        for (end, rise) in [(0.0, from_start), (self.along.x, from_start - self.along.y)] {
+            let half2 = self.reach * self.reach - rise * rise;
             if half2 >= 0.0 {
-                include(end.x - half2.sqrt());
-                include(end.x + half2.sqrt());
+                let half = half2.sqrt();
+                include(end - half, end + half);
             }
         }
-        let side = self.along.perp() * (reach * self.inverse_length2.sqrt());
-        for corner in [self.from + side, self.from - side] {
-            let t = (y - corner.y) / self.along.y;
+        for side in [self.side, -self.side] {
+            let t = (from_start - side.y) * self.per_row;
             if (0.0..=1.0).contains(&t) {
-                include(corner.x + t * self.along.x);
+                let x = side.x + t * self.along.x;
+                include(x, x);
             }
         }
-        span
+        [span[0] + self.from.x, span[1] + self.from.x]
     }
 
     /// Share of the stroke's length at the point nearest to `at`, the vector from there, and the
     /// radius there.
+    #[inline]
     fn foot(&self, at: Vec2) -> (f32, Vec2, f32) {
         let offset = at - self.from;
         let t = (offset.dot(self.along) * self.inverse_length2).clamp(0.0, 1.0);
         (t, offset - t * self.along, self.radius + t * self.radius_step)
     }
 
-    /// How near the stroke is at a sample, and what part of it is there.
+    /// How near the stroke is at a sample, and whether it is the body that is there or the halo;
+    /// infinitely far beside the stroke.
     #[inline]
-    pub(super) fn hit(&self, at: Vec2) -> Option<(f32, Part)> {
+    pub(super) fn hit(&self, at: Vec2) -> (f32, bool) {
         let (t, away, radius) = self.foot(at);
         let away2 = away.length_squared();
         let rest = radius * radius - away2;
         let key = self.key + t * self.key_step;
         let bulge = self.bulge + t * self.bulge_step;
         if rest > 0.0 {
-            return Some((key + bulge * rest.sqrt(), Part::Body));
+            return (key + bulge * rest.sqrt(), true);
         }
         let outer = radius * (1.0 + self.halo);
-        (away2 < outer * outer).then_some((key - bulge * radius * HALO_DEPTH, Part::Halo))
+        let halo = if away2 < outer * outer { key - bulge * radius * HALO_DEPTH } else { BEHIND };
+        (halo, false)
     }
 
     /// What light needs to know of a sample on the stroke's body.

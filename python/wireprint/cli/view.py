@@ -1,0 +1,98 @@
+"""``wireprint view``."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import click
+
+from wireprint.cli.placement import placement_options
+
+
+class PixelSize(click.ParamType[tuple[int, int]]):
+    """``1600x1200``."""
+
+    name = "WxH"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> tuple[int, int]:
+        """Read width and height."""
+        if isinstance(value, tuple):
+            return value
+        found = re.fullmatch(r"(\d{1,5})[x×](\d{1,5})", value.lower())
+        if found is None:
+            self.fail(f"{value!r} is not WIDTHxHEIGHT, such as 1600x1200", param, ctx)
+        return int(found[1]), int(found[2])
+
+
+class Words(click.ParamType[tuple[str, ...]]):
+    """``contour,post``."""
+
+    name = "NAME,…"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> tuple[str, ...]:
+        """Split at commas."""
+        if isinstance(value, tuple):
+            return value
+        return tuple(word.strip() for word in value.split(",") if word.strip())
+
+
+@click.command()
+@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Picture (.png), or page that turns in a browser (.html); default: FILE.png.",
+)
+@click.option(
+    "--camera",
+    default="iso",
+    show_default=True,
+    metavar="NAME|AZ,EL",
+    help="iso, front, side, top, or azimuth and elevation in degrees.",
+)
+@click.option("--size", type=PixelSize(), default=(1600, 1200), help="Pixels of a picture.")
+@click.option("--travels", is_flag=True, help="Draw moves without extrusion, too.")
+@click.option("--kinds", type=Words(), help="Show only these: contour, post, diagonal, …")
+@click.option("--edges", is_flag=True, help="Draw the edges of a model's triangles.")
+@placement_options
+def view(
+    file: Path,
+    output: Path | None,
+    camera: str,
+    size: tuple[int, int],
+    travels: bool,
+    kinds: tuple[str, ...] | None,
+    edges: bool,
+    **placement: Any,
+) -> None:
+    """Draw G-code or a model.
+
+    FILE is G-code of any program, or a model; how a model is placed matters to models alone.
+    """
+    from wireprint import view as pictures
+
+    target = output or file.with_suffix(".png")
+    if target.suffix.lower() not in {".png", ".html"}:
+        raise click.UsageError(f"{target}: the output must end in .png or .html")
+    shown = pictures.load(file, **placement)
+    if target.suffix.lower() == ".html":
+        pictures.render_html(shown, target, kinds=kinds, travels=travels, title=file.name)
+    else:
+        pictures.render_png(
+            shown,
+            target,
+            size=size,
+            camera=camera,
+            kinds=kinds,
+            travels=travels,
+            edges=edges,
+            title=file.name,
+        )
+    click.echo(f"{target}: {file.name}")

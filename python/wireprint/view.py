@@ -1,0 +1,423 @@
+"""Pictures of wire prints and models: PNG files, pages that turn in a browser, thumbnails.
+
+A picture of a print replays its G-code, or shows a toolpath before it is written. Strands are
+drawn with their real diameter; their colour tells what they are for, by the ``;TYPE:`` label.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
+
+from wireprint._core import Mesh, Scene, SettingError, Strands
+from wireprint.files import written_whole
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterable, Sequence
+
+    from wireprint._core import Toolpath
+    from wireprint.settings import Settings
+
+Rgb: TypeAlias = tuple[int, int, int]
+#: What can be shown: a file, or what is in memory already.
+Source: TypeAlias = "str | os.PathLike[str] | Strands | Mesh"
+
+
+@dataclass(frozen=True)
+class Style:
+    """How strands of one label are shown."""
+
+    name: str
+    colour: Rgb
+    #: Whether they are part of the object: those count for its size.
+    is_object: bool = True
+    #: Whether they are shown unless other kinds are asked for.
+    shown: bool = True
+
+
+#: Label in small letters → how its strands are shown, in the legend's order. The hues are
+#: those of Okabe and Ito, which colour-blind readers can tell apart; red is kept for breaches.
+STYLES: Final[dict[str, Style]] = {
+    "contour": Style("contour", (0, 104, 180)),
+    "post": Style("post", (232, 146, 12)),
+    "diagonal": Style("diagonal", (0, 150, 112)),
+    "cap": Style("cap", (236, 208, 50)),
+    "layer-wise": Style("layer-wise", (140, 98, 190)),
+    "support": Style("support", (208, 120, 166), is_object=False),
+    "brim": Style("brim", (150, 140, 124), is_object=False),
+    "skirt": Style("skirt", (150, 140, 124), is_object=False),
+    "prime": Style("priming", (150, 140, 124), is_object=False, shown=False),
+    "custom": Style("start code", (150, 140, 124), is_object=False, shown=False),
+}
+#: Strands of other programs, whose labels mean something else.
+FOREIGN: Final[Rgb] = (96, 128, 158)
+#: Strands before the first label.
+UNLABELLED: Final = "no label"
+
+TRAVEL: Final[Rgb] = (178, 190, 202)
+BREACH: Final[Rgb] = (222, 22, 34)
+MODEL: Final[Rgb] = (120, 164, 208)
+EDGE: Final[Rgb] = (52, 78, 106)
+WHITE: Final[Rgb] = (255, 255, 255)
+
+#: Azimuth, elevation and field of view in degrees; a field of view of 0 is a parallel projection.
+CAMERAS: Final = {
+    "iso": (35.0, 25.0, 28.0),
+    "front": (0.0, 0.0, 0.0),
+    "side": (90.0, 0.0, 0.0),
+    "top": (0.0, 90.0, 0.0),
+}
+GCODE_SUFFIXES: Final = frozenset({"gcode", "gco", "g", "nc", "ngc"})
+BREACH_RADIUS_MM: Final = 1.2
+#: Below this width a picture has no room for a legend, pixels.
+LEGEND_FROM_PX: Final = 480
+
+
+def camera_angles(camera: str) -> tuple[float, float, float]:
+    """Angles of a named camera, or of ``AZIMUTH,ELEVATION``.
+
+    Parameters
+    ----------
+    camera
+        ``iso``, ``front``, ``side``, ``top``, or two numbers in degrees: azimuth about z
+        (0 is the front, 90 the right side) and elevation above the horizon.
+
+    Returns
+    -------
+    tuple
+        Azimuth, elevation and field of view, degrees.
+
+    Raises
+    ------
+    SettingError
+        It is neither.
+    """
+    if camera in CAMERAS:
+        return CAMERAS[camera]
+    try:
+        azimuth, elevation = (float(number) for number in camera.split(","))
+    except ValueError:
+        names = ", ".join(CAMERAS)
+        raise SettingError(f"camera is {camera!r}; it must be {names} or AZ,EL") from None
+    return azimuth, elevation, CAMERAS["iso"][2]
+
+
+def load(source: Source, **placement: Any) -> Strands | Mesh:
+    """Read what a file shows: the strands of G-code, or the triangles of a model.
+
+    Parameters
+    ----------
+    source
+        A G-code or model file; anything else is returned as it is.
+    placement
+        How a model is placed: what `wireprint.mesh.load_mesh` takes.
+
+    Returns
+    -------
+    Strands or Mesh
+        What can be drawn.
+
+    Raises
+    ------
+    GcodeError, ModelError, OSError
+        The file cannot be read.
+    """
+    if isinstance(source, Strands | Mesh):
+        return source
+    if Path(source).suffix.lower().lstrip(".") in GCODE_SUFFIXES:
+        return Strands.read_gcode(source)
+    from wireprint.mesh import load_mesh
+
+    return load_mesh(source, **placement)
+
+
+def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
+    """Return what a toolpath lays, to be drawn before any G-code is written.
+
+    Parameters
+    ----------
+    toolpath
+        The moves.
+    settings
+        The settings that they were made with.
+    """
+    from wireprint.gcode.flavors import KINDS
+
+    diameter_mm = settings.printer.extruder.filament_diameter_mm
+    return Strands.from_toolpath(toolpath, KINDS, diameter_mm)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One line of a legend."""
+
+    label: str
+    name: str
+    colour: Rgb
+    length_mm: float | None = None
+
+    @property
+    def length_text(self) -> str:
+        """Length in metres, or nothing."""
+        return "" if self.length_mm is None else f"{self.length_mm / 1000:.2f} m"
+
+
+TRAVELS: Final = Entry("travel", "travel", TRAVEL)
+
+
+def style_of(label: str) -> Style:
+    """How strands with a ``;TYPE:`` label are shown, other programs' labels included."""
+    known = STYLES.get(label)
+    return known or Style(label or UNLABELLED, FOREIGN)
+
+
+def palette(strands: Strands, kinds: Collection[str] | None = None) -> list[Rgb | None]:
+    """Colour of each of the strands' labels, ``None`` for those that are left out.
+
+    Parameters
+    ----------
+    strands
+        What is shown.
+    kinds
+        Labels or names to show, in any case; all but the start code's by default.
+
+    Returns
+    -------
+    list
+        One entry per label.
+
+    Raises
+    ------
+    SettingError
+        A kind is neither known nor in the file.
+    """
+    styles = [style_of(label) for label in strands.labels]
+    if kinds is None:
+        return [style.colour if style.shown else None for style in styles]
+    wanted = {kind.lower() for kind in kinds}
+    known = wanted & (STYLES.keys() | set(strands.labels) | {style.name for style in styles})
+    if unknown := sorted(wanted - known):
+        has = ", ".join(sorted(style.name for style in styles))
+        raise SettingError(f"kinds: {', '.join(unknown)} is unknown; the file has {has}")
+    pairs = zip(strands.labels, styles, strict=True)
+    return [style.colour if {label, style.name} & wanted else None for label, style in pairs]
+
+
+def legend(strands: Strands, colours: Sequence[Rgb | None]) -> list[Entry]:
+    """Lines of the legend, known kinds first, for what has a colour and a length."""
+    order = list(STYLES)
+    entries = [
+        Entry(label, style_of(label).name, colour, length)
+        for label, colour, length in zip(strands.labels, colours, strands.lengths, strict=True)
+        if colour is not None and length > 0.0
+    ]
+    known = [entry for entry in entries if entry.label in STYLES]
+    known.sort(key=lambda entry: order.index(entry.label))
+    return known + [entry for entry in entries if entry.label not in STYLES]
+
+
+def size_text(shown: Strands | Mesh) -> str:
+    """Size of the object itself, such as ``84.2 x 65.0 x 83.4 mm``."""
+    if isinstance(shown, Mesh):
+        low, high = shown.bounds.tolist()
+    else:
+        objects = [label for label in shown.labels if style_of(label).is_object]
+        low, high = shown.bounds(objects) or shown.bounds(shown.labels) or ((0.0,) * 3,) * 2
+    return " x ".join(f"{b - a:.1f}" for a, b in zip(low, high, strict=True)) + " mm"
+
+
+def render_png(
+    source: Source,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    size: tuple[int, int] = (1600, 1200),
+    camera: str = "iso",
+    kinds: Collection[str] | None = None,
+    travels: bool = False,
+    breaches: Iterable[Sequence[float]] = (),
+    edges: bool = False,
+    with_legend: bool | None = None,
+    title: str | None = None,
+) -> bytes:
+    """Draw a print or a model on the bed.
+
+    Parameters
+    ----------
+    source
+        A G-code or model file, strands, or a mesh.
+    path
+        PNG file to write; none by default.
+    size
+        Width and height, pixels.
+    camera
+        ``iso``, ``front``, ``side``, ``top``, or ``AZIMUTH,ELEVATION`` in degrees.
+    kinds
+        Kinds of strands to show; all but the start code's by default.
+    travels
+        Whether moves without extrusion are drawn, as thin lines.
+    breaches
+        Points (x, y, z) in mm that are marked in red.
+    edges
+        Whether the edges of a model's triangles are drawn.
+    with_legend
+        Whether a legend and a scale bar are drawn; by default where there is room.
+    title
+        First line of the legend; the file's name by default.
+
+    Returns
+    -------
+    bytes
+        The PNG file.
+
+    Raises
+    ------
+    GcodeError, ModelError, OSError
+        The file cannot be read, or not be written.
+    SettingError
+        An argument is out of its bounds.
+    """
+    shown = load(source)
+    scene = Scene(floor=True)
+    entries = _fill(scene, shown, kinds, travels, edges)
+    marks = _points(breaches)
+    if marks:
+        scene.add_marks(marks, BREACH, BREACH_RADIUS_MM)
+        entries.append(Entry("breach", f"breach ({len(marks)})", BREACH))
+    if with_legend is None:
+        with_legend = size[0] >= LEGEND_FROM_PX
+    angles = camera_angles(camera)
+    if not with_legend:
+        margin = max(2.0, size[1] / 40)
+        png = scene.png(size, angles, supersample=2, margins=(margin,) * 4, ground=WHITE)
+    else:
+        from wireprint.view_legend import Sheet
+
+        sheet = Sheet(size, _title(title, source), size_text(shown), entries)
+        rgba, px_per_mm = scene.render(
+            size, angles, supersample=2, margins=sheet.margins, ground=WHITE
+        )
+        png = sheet.png(rgba, px_per_mm)
+    if path is not None:
+        written_whole(Path(path), png)
+    return png
+
+
+def render_html(
+    source: Source,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    kinds: Collection[str] | None = None,
+    travels: bool = False,
+    breaches: Iterable[Sequence[float]] = (),
+    title: str | None = None,
+) -> str:
+    """Make one page that turns in a browser and needs no network.
+
+    Parameters
+    ----------
+    source
+        A G-code or model file, strands, or a mesh.
+    path
+        HTML file to write; none by default.
+    kinds
+        Kinds of strands that can be shown; all but the start code's by default.
+    travels
+        Whether moves without extrusion can be shown.
+    breaches
+        Points (x, y, z) in mm that are marked in red.
+    title
+        Headline; the file's name by default.
+
+    Returns
+    -------
+    str
+        The page.
+
+    Raises
+    ------
+    GcodeError, ModelError, OSError
+        The file cannot be read, or not be written.
+    SettingError
+        A kind is unknown.
+    """
+    from wireprint.view_html import Page
+
+    shown = load(source)
+    page = Page(_title(title, source), size_text(shown))
+    if isinstance(shown, Mesh):
+        page.add_mesh(shown, MODEL)
+    else:
+        colours = palette(shown, kinds)
+        page.add_strands(shown, colours, legend(shown, colours), TRAVELS if travels else None)
+    page.add_marks(_points(breaches))
+    text = page.text()
+    if path is not None:
+        written_whole(Path(path), text.encode())
+    return text
+
+
+def _title(title: str | None, source: Source) -> str:
+    if title is not None:
+        return title
+    return Path(source).name if isinstance(source, str | os.PathLike) else ""
+
+
+def _points(breaches: Iterable[Sequence[float]]) -> list[tuple[float, float, float]]:
+    return [(float(x), float(y), float(z)) for x, y, z in breaches]
+
+
+def _fill(
+    scene: Scene,
+    shown: Strands | Mesh,
+    kinds: Collection[str] | None,
+    travels: bool,
+    edges: bool,
+) -> list[Entry]:
+    """Put what is shown into the scene, and return the legend."""
+    if isinstance(shown, Mesh):
+        scene.add_mesh(shown, MODEL, edges=EDGE if edges else None)
+        return []
+    colours = palette(shown, kinds)
+    scene.add_strands(shown, colours, travel=TRAVEL if travels else None)
+    entries = legend(shown, colours)
+    if travels:
+        entries.append(TRAVELS)
+    return entries
+
+
+def thumbnails(
+    strands: Strands, sizes: Iterable[tuple[int, int]] = ((32, 32), (300, 300))
+) -> list[tuple[int, int, bytes]]:
+    """Small pictures on a transparent ground, for the head of a G-code file.
+
+    Parameters
+    ----------
+    strands
+        What is shown.
+    sizes
+        Width and height of each, pixels.
+
+    Returns
+    -------
+    list
+        Width, height and PNG file of each.
+    """
+    scene = Scene()
+    scene.add_strands(strands, palette(strands))
+    return [
+        (
+            width,
+            height,
+            scene.png(
+                (width, height),
+                CAMERAS["iso"],
+                supersample=2,
+                margins=(1.0,) * 4,
+                ground=None,
+                small=True,
+            ),
+        )
+        for width, height in sizes
+    ]
