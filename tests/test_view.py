@@ -14,9 +14,8 @@ from wireprint._core import GcodeError, Scene, SettingError, Strands
 from wireprint.gcode.document import moves
 from wireprint.mesh import load_mesh
 from wireprint.settings import Settings
-from wireprint.toolpath import toolpath
+from wireprint.stages import toolpath, wireframe
 from wireprint.view_legend import round_length
-from wireprint.wireframe import wireframe
 
 SIZE = (240, 160)
 #: Share of such a picture that a strand takes at least.

@@ -20,6 +20,7 @@ __all__ = [
     "Scene",
     "SettingError",
     "Slices",
+    "Strands",
     "Toolpath",
     "UnprintableError",
     "Wireframe",
