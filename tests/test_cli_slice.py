@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -9,7 +10,9 @@ import pytest
 from click.testing import CliRunner
 
 from wireprint import cli, examples
+from wireprint.check import check
 from wireprint.gcode import document
+from wireprint.mesh import load_mesh
 from wireprint.settings import Settings
 
 KEYS = {
@@ -27,6 +30,10 @@ KEYS = {
     "filament_mm": float,
     "filament_g": float,
     "print_time_s": float,
+    "certified": bool,
+    "breaches": dict,
+    "coverage": float,
+    "deviation_mm": float,
     "repaired": list,
     "unprinted": list,
     "warnings": list,
@@ -226,6 +233,41 @@ def test_two_runs_and_any_number_of_threads_give_the_same_bytes(sphere, tmp_path
     assert slice_in_own_process(sphere, tmp_path / "b.gcode") == first
     assert slice_in_own_process(sphere, tmp_path / "c.gcode", RAYON_NUM_THREADS="1") == first
     assert slice_in_own_process(sphere, tmp_path / "d.gcode", RAYON_NUM_THREADS="7") == first
+
+
+@pytest.fixture
+def unprintable():
+    """Let every print be too hasty for its extruder, which only the certificate sees."""
+    return ["--set", "extruder.max_flow_mm3_s=5"]
+
+
+def test_a_file_that_breaks_the_rules_is_refused(cube, tmp_path, unprintable):
+    target = tmp_path / "cube.gcode"
+    result = run("slice", cube, "-o", target, *unprintable)
+    assert result.exit_code == 5
+    assert re.search(
+        r"break the rules \(out of bounds: \d+\); first in line \d+, flow", result.stderr
+    )
+    assert not target.exists()
+
+
+def test_force_writes_it_anyway_and_says_so(cube, tmp_path, unprintable):
+    target = tmp_path / "cube.gcode"
+    result = run("slice", cube, "-o", target, "--force", "--json", *unprintable)
+    assert result.exit_code == 0
+    found = json.loads(result.stdout)
+    assert found["certified"] is False
+    assert "would break the rules" in found["warnings"][-1]
+    assert target.exists()
+
+
+def test_the_verdict_is_that_of_check(cube, tmp_path):
+    target = tmp_path / "cube.gcode"
+    found = json.loads(run("slice", cube, "-o", target, "--json").stdout)
+    certificate = check(target, model=load_mesh(cube))
+    assert found["certified"] is certificate.ok is True
+    assert found["coverage"] == certificate.fidelity.coverage
+    assert found["deviation_mm"] == certificate.fidelity.deviation_mm
 
 
 def test_the_fast_path_imports_no_numpy(cube, tmp_path):

@@ -1,5 +1,7 @@
 """The library: its names, and that they are cheap, safe and repeatable."""
 
+import base64
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -58,6 +60,15 @@ def test_gcode_is_written_whole(mesh, settings, tmp_path):
     assert [file.name for file in tmp_path.iterdir()] == ["a.gcode"]
 
 
+def test_the_header_carries_pictures_of_the_sizes_asked_for(mesh):
+    settings = wireprint.Settings.load(overrides=["gcode.thumbnails=[[64, 48], [32, 32]]"])
+    text = wireprint.make(mesh, settings).gcode.decode()
+    found = re.findall(r"; thumbnail begin (\d+x\d+) \d+\n; (\S+)", text)
+    assert [size for size, _ in found] == ["64x48", "32x32"]
+    for _, row in found:
+        assert base64.b64decode(row[:24]).startswith(b"\x89PNG")
+
+
 def test_threads_may_share_a_mesh(mesh, settings):
     with ThreadPoolExecutor(4) as pool:
         texts = list(pool.map(lambda _: wireprint.make(mesh, settings).gcode, range(8)))
@@ -65,4 +76,9 @@ def test_threads_may_share_a_mesh(mesh, settings):
 
 
 def test_every_stage_measures_itself(mesh, settings):
-    assert list(wireprint.make(mesh, settings).timings_s) == ["wireframe", "toolpath", "gcode"]
+    assert list(wireprint.make(mesh, settings).timings_s) == [
+        "wireframe",
+        "toolpath",
+        "gcode",
+        "check",
+    ]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wireprint import report
+from wireprint.check import check
 from wireprint.files import written_whole
 from wireprint.gcode import document
 from wireprint.stages import toolpath, wireframe
@@ -16,10 +17,11 @@ from wireprint.timing import Filament
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterator
     from datetime import datetime
 
     from wireprint._core import Estimate, Mesh, Toolpath, Wireframe
+    from wireprint.check import Certificate
     from wireprint.gcode.document import Thumbnail
     from wireprint.settings import Settings
 
@@ -52,6 +54,8 @@ class WirePrint:
     #: The whole file.
     gcode: bytes
     estimate: Estimate
+    #: The verdict on the file; None where it was not asked for.
+    certificate: Certificate | None
     #: Seconds per stage.
     timings_s: dict[str, float]
 
@@ -71,11 +75,25 @@ class WirePrint:
             "filament_g": filament.grams(filament_mm),
             "filament_cost": filament.cost(filament_mm),
             "print_time_s": self.estimate.total_s,
+            **self._verdict(),
             "repaired": report.repairs(self.mesh),
             "unprinted": report.unprinted(self.wireframe),
             "warnings": report.warnings(self.mesh),
             "timings_s": self.timings_s,
         }
+
+    def _verdict(self) -> dict[str, Any]:
+        """Return whether the file keeps the rules, and how faithful it is."""
+        certificate = self.certificate
+        if certificate is None:
+            return {}
+        breaches = {name: len(found) for name, found in certificate.breaches().items()}
+        verdict: dict[str, Any] = {"certified": certificate.ok, "breaches": breaches}
+        if certificate.fidelity is not None:
+            verdict["coverage"] = certificate.fidelity.coverage
+            verdict["deviation_mm"] = certificate.fidelity.deviation_mm
+            verdict["chord_deviation_mm"] = certificate.fidelity.chord_deviation_mm
+        return verdict
 
 
 def make(
@@ -84,7 +102,8 @@ def make(
     *,
     date: datetime | None = None,
     clock: Clock | None = None,
-    draw: Callable[[Toolpath], Sequence[Thumbnail]] | None = None,
+    certify: bool = True,
+    compare: bool = True,
 ) -> WirePrint:
     """Turn a mesh into a wire print.
 
@@ -98,8 +117,10 @@ def make(
         Written into the file; default: as `document.dated` without a file.
     clock
         Measures the stages; one that already holds earlier ones is continued.
-    draw
-        Makes the pictures for the file's header.
+    certify
+        Whether to judge the file by the rules of a printable one.
+    compare
+        Whether the verdict tells coverage and deviation, too.
 
     Raises
     ------
@@ -112,9 +133,12 @@ def make(
     with clock.stage("toolpath"):
         path = toolpath(strands, settings)
     with clock.stage("gcode"):
-        thumbnails = draw(path) if draw is not None else ()
-        gcode, estimate = _written(path, settings, date, thumbnails)
-    return WirePrint(settings, mesh, strands, path, gcode, estimate, clock.timings_s)
+        gcode, estimate = _written(path, settings, date)
+    certificate = None
+    if certify:
+        with clock.stage("check"):
+            certificate = check(gcode, settings, mesh if compare else None)
+    return WirePrint(settings, mesh, strands, path, gcode, estimate, certificate, clock.timings_s)
 
 
 def to_gcode(
@@ -122,7 +146,6 @@ def to_gcode(
     settings: Settings,
     *,
     date: datetime | None = None,
-    thumbnails: Iterable[Thumbnail] = (),
 ) -> bytes:
     """Return a whole G-code file: header, start, moves with progress, end, footer.
 
@@ -134,15 +157,13 @@ def to_gcode(
         The settings that they were made with.
     date
         Written into the file; default: as `document.dated` without a file.
-    thumbnails
-        Pictures for the header.
 
     Raises
     ------
     UnprintableError
         A figure of a move is not finite.
     """
-    return _written(toolpath, settings, date, thumbnails)[0]
+    return _written(toolpath, settings, date)[0]
 
 
 def write_gcode(
@@ -160,14 +181,20 @@ def write_gcode(
     written_whole(Path(path), to_gcode(toolpath, settings, **options))
 
 
-def _written(
-    path: Toolpath,
-    settings: Settings,
-    date: datetime | None,
-    thumbnails: Iterable[Thumbnail],
-) -> tuple[bytes, Estimate]:
+def _written(path: Toolpath, settings: Settings, date: datetime | None) -> tuple[bytes, Estimate]:
+    thumbnails = _thumbnails(path, settings)
     body = document.body(path, settings, date or document.dated(None), thumbnails)
     body, estimate = document.timed(body, settings)
     layers = body.count(b";LAYER_CHANGE\n")
     footer = document.footer(settings, estimate.filament_mm, estimate.total_s, layers)
     return body + footer, estimate
+
+
+def _thumbnails(path: Toolpath, settings: Settings) -> list[Thumbnail]:
+    sizes = settings.printer.gcode.thumbnails
+    if not sizes:
+        return []
+    from wireprint import view
+
+    drawn = view.thumbnails(view.strands_of(path, settings), sizes)
+    return [document.Thumbnail(width, height, png) for width, height, png in drawn]

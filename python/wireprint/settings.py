@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
 Millimetres = Annotated[float, Field(gt=0, le=2000)]
+Pixels = Annotated[int, Field(ge=8, le=2000)]
 PerAxis = Annotated[tuple[Positive, Positive, Positive, Positive], Field(description="X, Y, Z, E")]
 
 CoolingMethod = Literal["valve", "fan", "none"]
@@ -175,6 +176,9 @@ class Gcode(Section):
     relative_extrusion: bool = Field(True, description="M83, not M82")
     firmware_retraction: bool = Field(
         False, description="G10 and G11, not moves of E; the firmware must know how far"
+    )
+    thumbnails: tuple[tuple[Pixels, Pixels], ...] = Field(
+        ((32, 32), (300, 300)), description="width and height of the pictures in the header"
     )
     start: str = Field(description="heats and homes; may use {nozzle_c}, {bed_c}")
     end: str = Field(description="cools and parks; may use {park_z_mm}, 10 mm above the print")

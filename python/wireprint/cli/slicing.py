@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from wireprint._core import WireprintError
+from wireprint._core import UnprintableError, WireprintError
 from wireprint.cli.options import settings_from, settings_options
 from wireprint.cli.placement import placement_options
 from wireprint.cli.progress import Progress
 
 if TYPE_CHECKING:
+    from wireprint.check import Certificate
     from wireprint.settings import Settings
 
 
@@ -31,23 +33,33 @@ if TYPE_CHECKING:
 @settings_options
 @placement_options
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
+@click.option("--force", is_flag=True, help="Write the file even if it breaks the rules.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 def slice_models(
-    models: tuple[Path, ...], output: Path, as_json: bool, quiet: bool, **options: Any
+    models: tuple[Path, ...],
+    output: Path,
+    as_json: bool,
+    force: bool,
+    quiet: bool,
+    **options: Any,
 ) -> None:
     """Turn models into wire prints.
 
     MODEL is an STL, OBJ, PLY, OFF or 3MF file. Options that name a single setting win over --set,
     --set wins over --load, and --load over the profiles.
+
+    The file is judged before it is written, as by `wireprint check`: one that would drive the head
+    into its own strands, or leave them hanging, is refused.
     """
     targets = _targets(models, output)
     settings = settings_from(options)
+    job = Job(settings, options, force=force, compare=as_json or not quiet)
     found: list[dict[str, Any]] = []
     exit_code = 0
     with Progress(len(models)) as progress:
         for model, target in zip(models, targets, strict=True):
             try:
-                found.append(_slice(model, target, settings, options, progress))
+                found.append(job.run(model, target, progress))
             except WireprintError as error:
                 if len(models) == 1:
                     raise
@@ -68,31 +80,50 @@ def slice_models(
         sys.exit(exit_code)
 
 
-def _slice(
-    model: Path,
-    target: Path,
-    settings: Settings,
-    placement: dict[str, Any],
-    progress: Progress,
-) -> dict[str, Any]:
-    from wireprint.files import written_whole
-    from wireprint.gcode.document import dated
-    from wireprint.mesh import load_mesh
-    from wireprint.pipeline import Clock, make
+@dataclass(frozen=True)
+class Job:
+    """What all models of one run share."""
 
-    clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
-    with clock.stage("load"):
-        mesh = load_mesh(model, **placement)
-    made = make(mesh, settings, date=dated(model), clock=clock)
-    with clock.stage("write"):
-        written_whole(target, made.gcode)
-    progress.advance()
-    return {
-        "model": str(model),
-        "output": str(target),
-        "printer": settings.printer.name,
-        "material": settings.material.name,
-    } | made.figures()
+    settings: Settings
+    placement: dict[str, Any]
+    force: bool
+    #: Whether coverage and deviation are asked for.
+    compare: bool
+
+    def run(self, model: Path, target: Path, progress: Progress) -> dict[str, Any]:
+        """Turn one model into a file; return its figures."""
+        from wireprint.files import written_whole
+        from wireprint.gcode.document import dated
+        from wireprint.mesh import load_mesh
+        from wireprint.pipeline import Clock, make
+
+        clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
+        with clock.stage("load"):
+            mesh = load_mesh(model, **self.placement)
+        made = make(mesh, self.settings, date=dated(model), clock=clock, compare=self.compare)
+        warnings = []
+        if made.certificate is not None and not made.certificate.ok:
+            if not self.force:
+                raise UnprintableError(f"{model}: {_breaches(made.certificate)}")
+            warnings.append(f"written although {_breaches(made.certificate)}")
+        with clock.stage("write"):
+            written_whole(target, made.gcode)
+        progress.advance()
+        figures = {
+            "model": str(model),
+            "output": str(target),
+            "printer": self.settings.printer.name,
+            "material": self.settings.material.name,
+        } | made.figures()
+        return figures | {"warnings": figures["warnings"] + warnings}
+
+
+def _breaches(certificate: Certificate) -> str:
+    """Say which rules a file breaks, how often, and where first."""
+    found = {name: breaches for name, breaches in certificate.breaches().items() if breaches}
+    counts = ", ".join(f"{name.replace('_', ' ')}: {len(list_)}" for name, list_ in found.items())
+    first = min((breach for list_ in found.values() for breach in list_), key=lambda b: b.line)
+    return f"the print would break the rules ({counts}); first in line {first.line}, {first}"
 
 
 def _targets(models: tuple[Path, ...], output: Path) -> list[Path]:

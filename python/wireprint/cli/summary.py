@@ -27,6 +27,12 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
         f"{clock(figures['print_time_s'])}, {clock(figures['pause_s'])} of it "
         f"in {figures['pauses']} pauses",
     )
+    if "coverage" in figures:
+        yield _row(
+            "fidelity",
+            f"{100 * figures['coverage']:.1f} % covered, "
+            f"{figures['deviation_mm']:.2f} mm off the surface on average",
+        )
     for sentence in figures["repaired"]:
         yield _row("repaired", sentence)
     for part in figures["unprinted"]:
