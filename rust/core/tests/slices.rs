@@ -5,9 +5,9 @@ mod solids;
 use glam::{DMat3, DVec2, DVec3};
 use solids::{Random, cuboid, inverted, moved, revolved, sphere, together, torus};
 use wireprint_core::contours::polygon::{length, signed_area};
-use wireprint_core::contours::{Contour, contours, sliced};
+use wireprint_core::contours::{Contour, contours, sliced, union};
 use wireprint_core::mesh::Mesh;
-use wireprint_core::slices::{Plane, Side, cut};
+use wireprint_core::slices::{Loop, Plane, Side, cut};
 
 const SIDES: [Side; 2] = [Side::Below, Side::Above];
 
@@ -282,6 +282,51 @@ fn nesting_agrees_with_testing_every_pair_of_squares() {
     }
 }
 
+#[test]
+fn loops_that_do_not_meet_keep_their_very_points() {
+    let mut random = Random(8);
+    for _ in 0..20 {
+        let mesh = moved(&torus(3.0, 1.0, 48, 24), random.rotation(), DVec3::splat(0.1));
+        let planes = all_planes(&mesh, 50, &mut random);
+        for (loops, contours) in cut(&mesh, &planes).iter().zip(sliced(&mesh, &planes, 0.0)) {
+            for contour in &contours {
+                assert!(loops.iter().any(|l| l.points == contour.points));
+            }
+            assert_eq!(loops.len(), contours.len());
+        }
+    }
+}
+
+#[test]
+fn contours_cover_what_the_union_covers_for_any_loops() {
+    let mut random = Random(6);
+    for round in 0..3000 {
+        // Points on a coarse grid meet, touch and overlap in every way; others never do.
+        let grid = round % 2 == 0;
+        let loops: Vec<Loop> = (0..1 + round % 4).map(|_| scribble(&mut random, grid)).collect();
+        let covered: f64 = union(loops.clone()).iter().map(|l| signed_area(&l.points)).sum();
+        let contours = contours(loops.clone(), 0.0);
+        assert!((total(&contours) - covered).abs() < 1e-6, "round {round}: {loops:?}");
+        for contour in contours.iter().filter(|contour| contour.area != 0.0) {
+            assert_eq!(contour.area > 0.0, contour.depth % 2 == 0, "round {round}: {loops:?}");
+        }
+    }
+}
+
+/// A closed loop through random points.
+fn scribble(random: &mut Random, grid: bool) -> Loop {
+    let count = 3 + (random.unit() * 5.0) as usize;
+    let mut points: Vec<DVec2> = Vec::new();
+    while points.len() < count {
+        let p = DVec2::new(random.between(0.0, 6.0), random.between(0.0, 6.0));
+        let p = if grid { p.floor() } else { p };
+        if points.last() != Some(&p) && (points.len() + 1 < count || points[0] != p) {
+            points.push(p);
+        }
+    }
+    Loop { faces: (0..count as u32).collect(), points, closed: true }
+}
+
 /// A square standing at some angle, with the depth at which it was made.
 struct Square {
     centre: DVec2,
@@ -290,14 +335,14 @@ struct Square {
 }
 
 impl Square {
-    fn as_loop(&self) -> wireprint_core::slices::Loop {
+    fn as_loop(&self) -> Loop {
         let turn = DVec2::new(-self.half.y, self.half.x);
         let mut points: Vec<DVec2> =
             [self.half, turn, -self.half, -turn].map(|d| self.centre + d).to_vec();
         if self.depth % 2 == 1 {
             points.reverse();
         }
-        wireprint_core::slices::Loop { points, faces: vec![0, 1, 2, 3], closed: true }
+        Loop { points, faces: vec![0, 1, 2, 3], closed: true }
     }
 }
 

@@ -101,14 +101,14 @@ impl<'a> Chains<'a> {
     fn add(&mut self, index: u32, ring: &Ring) {
         let first = self.places.len() as u32;
         let points = ring.points;
-        let lowest = if ring.area == 0.0 { 0 } else { lowest(points) };
+        let lowest = if ring.area.is_none() { 0 } else { lowest(points) };
         self.origins.push((first, lowest as u32));
         let around = points[lowest..].iter().chain(&points[..lowest]).chain(points.get(lowest));
         self.places.extend(around.map(|&p| DVec2::new(Key::across(p), Key::along(p))));
         if points.is_empty() {
             return;
         }
-        if ring.area == 0.0 {
+        if ring.area.is_none() {
             self.push(index, first, first);
             return;
         }

@@ -1,13 +1,12 @@
 //! Loops become contours: united where they overlap, nested, in order.
 
+use glam::DVec2;
+
 use super::Contour;
 use super::polygon::{length, signed_area};
 use super::sweep::{Found, Ring, sweep};
 use super::union::union;
 use crate::slices::Loop;
-
-/// A closed loop whose area is below this share of its squared length is a line.
-const LINE: f64 = 1e-12;
 
 /// The contours of one slice.
 ///
@@ -27,29 +26,34 @@ pub fn contours(loops: Vec<Loop>, min_length: f64) -> Vec<Contour> {
     tree(loops, &areas, &parents)
 }
 
-/// The loops that are long enough, and their areas.
-fn measured(loops: Vec<Loop>, min_length: f64) -> (Vec<Loop>, Vec<f64>) {
-    let measure = |l: Loop| {
-        let length = length(&l.points, l.closed);
-        (length >= min_length).then(|| (area(&l, length), l))
-    };
-    let (areas, loops) = loops.into_iter().filter_map(measure).unzip();
+/// The loops that are long enough, and the areas of those that enclose something.
+fn measured(loops: Vec<Loop>, min_length: f64) -> (Vec<Loop>, Vec<Option<f64>>) {
+    let long = |l: &Loop| length(&l.points, l.closed) >= min_length;
+    let loops: Vec<Loop> = loops.into_iter().filter(long).collect();
+    let areas = loops.iter().map(enclosed).collect();
     (loops, areas)
 }
 
-/// Signed area of a loop; none for open polylines and lines there and back.
-fn area(l: &Loop, length: f64) -> f64 {
-    let area = if l.closed { signed_area(&l.points) } else { 0.0 };
-    if area.abs() > LINE * length.powi(2) { area } else { 0.0 }
+/// Signed area of a loop, unless it is an open polyline or a line there and back.
+fn enclosed(l: &Loop) -> Option<f64> {
+    let area = if l.closed { signed_area(&l.points) } else { return None };
+    (area != 0.0 || !returns(&l.points)).then_some(area)
 }
 
-fn nest(loops: &[Loop], areas: &[f64]) -> Found {
+/// Whether a loop goes back the way it came, as around a ridge that lies in the plane.
+fn returns(points: &[DVec2]) -> bool {
+    let n = points.len();
+    let tip = (0..n).find(|&i| points[(i + 1) % n] == points[(i + n - 1) % n]);
+    tip.is_some_and(|tip| (1..n).all(|k| points[(tip + k) % n] == points[(tip + n - k) % n]))
+}
+
+fn nest(loops: &[Loop], areas: &[Option<f64>]) -> Found {
     let rings = loops.iter().zip(areas).map(|(l, &area)| Ring { points: &l.points, area });
     sweep(&rings.collect::<Vec<_>>())
 }
 
 /// Contours depth first, with parents renumbered.
-fn tree(loops: Vec<Loop>, areas: &[f64], parents: &[Option<u32>]) -> Vec<Contour> {
+fn tree(loops: Vec<Loop>, areas: &[Option<f64>], parents: &[Option<u32>]) -> Vec<Contour> {
     let mut children = vec![Vec::new(); loops.len()];
     let mut stack = Vec::new();
     for (index, parent) in parents.iter().enumerate().rev() {
@@ -64,7 +68,8 @@ fn tree(loops: Vec<Loop>, areas: &[f64], parents: &[Option<u32>]) -> Vec<Contour
         let here = contours.len() as u32;
         stack.extend(children[index].iter().map(|&child| (child, Some(here), depth + 1)));
         let Some(Loop { points, faces, closed }) = loops[index].take() else { continue };
-        contours.push(Contour { points, faces, closed, parent, depth, area: areas[index] });
+        let area = areas[index].unwrap_or(0.0);
+        contours.push(Contour { points, faces, closed, parent, depth, area });
     }
     contours
 }

@@ -23,8 +23,8 @@ const OVERLAP: f64 = 1e-6;
 /// One loop as the sweep sees it.
 pub(super) struct Ring<'a> {
     pub points: &'a [DVec2],
-    /// Signed area; rings with none (points, lines, open polylines) enclose nothing.
-    pub area: f64,
+    /// Signed area; none for points, lines and open polylines, which enclose nothing.
+    pub area: Option<f64>,
 }
 
 /// What the sweep found.
@@ -151,17 +151,15 @@ impl Sweep<'_> {
     /// The ring that encloses the gap to the right of a chain.
     fn enclosing(&self, id: u32) -> Option<u32> {
         let chain = self.chains.list.get(id as usize)?;
-        let enters = chain.up == (self.rings[chain.ring as usize].area < 0.0);
+        let clockwise = self.rings[chain.ring as usize].area < Some(0.0);
+        let enters = chain.up == clockwise;
         if enters { Some(chain.ring) } else { self.parents[chain.ring as usize] }
     }
 
     fn insert(&mut self, id: u32, left: u32, along: f64) {
-        let (before, right) = match self.links.get(left as usize) {
-            Some(link) => (link.winding, link.next),
-            None => (0, self.first),
-        };
+        let right = self.links.get(left as usize).map_or(self.first, |link| link.next);
         self.compare(left, right, along);
-        let winding = before + if self.chains.list[id as usize].up { -1 } else { 1 };
+        let winding = self.winding_beyond(left, id);
         self.sound &= (0..=1).contains(&winding);
         self.links[id as usize].winding = winding;
         self.join(left, id, along);
@@ -186,14 +184,24 @@ impl Sweep<'_> {
         }
     }
 
-    /// Checks two neighbours up to where they part.
+    /// Checks two neighbours up to where they part; either may be none.
     fn compare(&mut self, left: u32, right: u32, until: f64) {
-        if left == NONE || right == NONE || !self.sound {
+        let since = self.links.get(left as usize).map_or(f64::NEG_INFINITY, |link| link.since);
+        if right == NONE || since >= until || !self.sound {
             return;
         }
-        let since = self.links[left as usize].since;
-        let list = &self.chains.list;
-        self.sound = self.apart(&list[left as usize], &list[right as usize], since, until);
+        // Where a chain passes between two that began together, the numbers disagree.
+        self.sound = self.links[right as usize].winding == self.winding_beyond(left, right);
+        if left != NONE && self.sound {
+            let list = &self.chains.list;
+            self.sound = self.apart(&list[left as usize], &list[right as usize], since, until);
+        }
+    }
+
+    /// Winding number to the right of a chain whose left neighbour is given.
+    fn winding_beyond(&self, left: u32, chain: u32) -> i32 {
+        let before = self.links.get(left as usize).map_or(0, |link| link.winding);
+        before + if self.chains.list[chain as usize].up { -1 } else { 1 }
     }
 
     /// Whether one chain stays left of the other all along the stretch.
