@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::camera::Camera;
-use super::scene::{Facet, Rgb, Scene, Stroke, Width};
+use super::scene::{Facet, Rgb, Scene, Stroke, Width, bounds};
 
 /// Distance of the grid's lines, mm.
 const GRID_MM: f64 = 10.0;
@@ -18,26 +18,19 @@ const PLATE: Rgb = [240, 242, 245];
 const LINE: Rgb = [219, 223, 229];
 const SHADOW: Rgb = [208, 212, 219];
 
-/// The scene with the bed below it; `None` where it is empty or seen from below.
+/// The bed below a scene; `None` where that is empty or seen from below.
 pub(super) fn below(scene: &Scene, camera: &Camera) -> Option<Scene> {
-    let points = scene.framed_points();
-    let first = points.first()?.truncate();
     if camera.elevation < 0.0 {
         return None;
     }
-    let bounds =
-        |(low, high): (DVec2, DVec2), p: &DVec3| (low.min(p.truncate()), high.max(p.truncate()));
-    let (low, high) = points.iter().fold((first, first), bounds);
-    let size = (high - low).max_element();
-    let step = GRID_MM * 10_f64.powf((size / GRID_MM / MOST_LINES).log10().ceil().max(0.0));
+    let (low, high) = bounds(scene.framed_points())?;
+    let (low, high) = (low.truncate(), high.truncate());
+    let coarser = ((high - low).max_element() / GRID_MM / MOST_LINES).log10().ceil().max(0.0);
+    let step = GRID_MM * 10_f64.powf(coarser);
     let low = ((low - MARGIN_MM) / step).floor() * step;
     let high = ((high + MARGIN_MM) / step).ceil() * step;
-
-    let mut whole = scene.clone();
-    whole.strokes.extend(shadows(scene));
-    whole.strokes.extend(grid(low, high, step));
-    whole.facets.extend(plate(low, high));
-    Some(whole)
+    let strokes = shadows(scene).chain(grid(low, high, step)).collect();
+    Some(Scene { strokes, facets: plate(low, high).to_vec(), floor: false })
 }
 
 /// Strands seen by a lamp straight above, on the bed.

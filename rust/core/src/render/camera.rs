@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use glam::DVec3;
 
 use super::image::Frame;
-use super::scene::Scene;
+use super::scene::{Scene, bounds};
 use crate::error::{CoreError, Result};
 
 /// From where the model is looked at; the distance follows from what must be shown.
@@ -51,7 +51,7 @@ pub(super) struct Seen {
 
 /// The map from the model to the screen.
 #[derive(Debug, Clone)]
-pub struct Projector {
+pub(super) struct Projector {
     right: DVec3,
     up: DVec3,
     towards: DVec3,
@@ -68,15 +68,14 @@ pub struct Projector {
 const NEAR: f64 = 0.05;
 
 impl Projector {
-    /// Looks at the middle of the scene and fills the frame within its margins.
-    #[must_use]
-    pub fn fit(camera: &Camera, scene: &Scene, frame: &Frame) -> Self {
-        let points = scene.framed_points();
-        let (low, high) = bounds(&points).unwrap_or((DVec3::ZERO, DVec3::ONE));
+    /// Looks at the middle of the scenes and fills the frame within its margins.
+    pub(super) fn fit(camera: &Camera, scenes: &[&Scene], frame: &Frame) -> Self {
+        let points = || scenes.iter().flat_map(|scene| scene.framed_points());
+        let (low, high) = bounds(points()).unwrap_or((DVec3::ZERO, DVec3::ONE));
         let target = (low + high) / 2.0;
-        let reach = points.iter().map(|p| p.distance(target)).fold(1e-3, f64::max);
+        let reach = points().map(|p| p.distance(target)).fold(1e-3, f64::max);
         let mut projector = Self::at_origin(camera, target, reach);
-        projector.fill(&points, frame);
+        projector.fill(points(), frame);
         projector
     }
 
@@ -93,10 +92,9 @@ impl Projector {
     }
 
     /// Scales and shifts the screen so that `points` fill the frame.
-    fn fill(&mut self, points: &[DVec3], frame: &Frame) {
-        let seen: Vec<DVec3> =
-            points.iter().map(|p| self.project(*p)).map(|s| DVec3::new(s.x, s.y, s.key)).collect();
-        let (low, high) = bounds(&seen).unwrap_or((DVec3::ZERO, DVec3::ONE));
+    fn fill(&mut self, points: impl Iterator<Item = DVec3>, frame: &Frame) {
+        let seen = points.map(|p| self.project(p)).map(|s| DVec3::new(s.x, s.y, s.key));
+        let (low, high) = bounds(seen).unwrap_or((DVec3::ZERO, DVec3::ONE));
         self.nearest = high.z;
         self.depth = self.depth.max(high.z - low.z);
         let ss = frame.supersample as f64;
@@ -160,9 +158,4 @@ impl Projector {
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
-}
-
-fn bounds(points: &[DVec3]) -> Option<(DVec3, DVec3)> {
-    let first = *points.first()?;
-    Some(points.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p))))
 }

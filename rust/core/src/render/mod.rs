@@ -3,8 +3,8 @@
 //! Strands are drawn as lit round tubes of their real diameter, with a z-buffer, on all cores;
 //! every pixel depends on the scene alone, so the bytes are the same on any number of threads.
 //!
-//! A picture takes three steps: [`Projector`] maps the scene to the screen, [`raster`] finds what
-//! each sample sees, [`shade`] colours it. [`Image::png`] writes the file.
+//! A picture takes three steps: `camera` maps the scene to the screen, `raster` finds what each
+//! sample sees, `shade` colours it. [`Image::png`] writes the file.
 
 mod bed;
 mod camera;
@@ -18,7 +18,8 @@ mod stroke;
 mod tiles;
 mod triangle;
 
-pub use camera::{Camera, Projector};
+pub use camera::Camera;
+use camera::Projector;
 pub use image::{Frame, Image};
 pub use scene::{Facet, Rgb, Scene, Stroke, Width};
 pub use strands::Strands;
@@ -37,7 +38,7 @@ pub fn render(scene: &Scene, camera: &Camera, frame: &Frame) -> Result<Image> {
         return Err(CoreError::Setting("the coordinates of a picture must be finite".into()));
     }
     let floor = scene.floor.then(|| bed::below(scene, camera)).flatten();
-    let whole = floor.as_ref().unwrap_or(scene);
-    let projector = Projector::fit(camera, whole, frame);
-    Ok(raster::paint(whole, &projector, frame))
+    let scenes: Vec<&Scene> = std::iter::once(scene).chain(&floor).collect();
+    let projector = Projector::fit(camera, &scenes, frame);
+    Ok(raster::paint(&scenes, &projector, frame))
 }

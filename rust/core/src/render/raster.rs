@@ -38,8 +38,8 @@ struct Screen<'a> {
 }
 
 /// Paints the whole picture, one band of tiles per task.
-pub(super) fn paint(scene: &Scene, projector: &Projector, frame: &Frame) -> Image {
-    let screen = Screen::new(scene, projector, frame);
+pub(super) fn paint(scenes: &[&Scene], projector: &Projector, frame: &Frame) -> Image {
+    let screen = Screen::new(scenes, projector, frame);
     let mut rgba = vec![0_u8; frame.width * frame.height * 4];
     rgba.par_chunks_mut(frame.width * 4 * SIDE)
         .enumerate()
@@ -49,15 +49,18 @@ pub(super) fn paint(scene: &Scene, projector: &Projector, frame: &Frame) -> Imag
 }
 
 impl<'a> Screen<'a> {
-    fn new(scene: &Scene, projector: &Projector, frame: &'a Frame) -> Self {
+    fn new(scenes: &[&Scene], projector: &Projector, frame: &'a Frame) -> Self {
         let supersample = frame.supersample as f64;
-        let capsules: Vec<Capsule> = scene
-            .strokes
+        let capsules: Vec<Capsule> = scenes
             .par_iter()
+            .flat_map(|scene| &scene.strokes)
             .filter_map(|stroke| Capsule::new(stroke, projector, supersample))
             .collect();
-        let triangles: Vec<Triangle> =
-            scene.facets.par_iter().filter_map(|facet| Triangle::new(facet, projector)).collect();
+        let triangles: Vec<Triangle> = scenes
+            .par_iter()
+            .flat_map(|scene| &scene.facets)
+            .filter_map(|facet| Triangle::new(facet, projector))
+            .collect();
         let (columns, rows) = (frame.width.div_ceil(SIDE), frame.height.div_ceil(SIDE));
         let side = SIDE * frame.supersample;
         let capsule_tiles = Tiles::sort(&capsules, columns, rows, |capsule, put| {

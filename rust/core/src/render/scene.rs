@@ -85,13 +85,16 @@ impl Scene {
 
     /// The points that a picture must show: lines count only where there is nothing else, since
     /// travels come from far away.
-    pub(super) fn framed_points(&self) -> Vec<DVec3> {
-        let solid = self.strokes.iter().filter(|s| !matches!(s.width, Width::Line(_)));
-        let mut points: Vec<DVec3> = solid.flat_map(|s| [s.from, s.to]).collect();
-        points.extend(self.facets.iter().flat_map(|f| f.corners));
-        if points.is_empty() {
-            points.extend(self.strokes.iter().flat_map(|s| [s.from, s.to]));
-        }
-        points
+    pub(super) fn framed_points(&self) -> impl Iterator<Item = DVec3> + '_ {
+        let is_line = |stroke: &Stroke| matches!(stroke.width, Width::Line(_));
+        let only_lines = self.facets.is_empty() && self.strokes.iter().all(is_line);
+        let strokes = self.strokes.iter().filter(move |s| only_lines || !is_line(s));
+        let ends = strokes.flat_map(|s| [s.from, s.to]);
+        ends.chain(self.facets.iter().flat_map(|f| f.corners))
     }
+}
+
+/// Lowest and highest coordinates; `None` of nothing.
+pub(super) fn bounds(points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
+    points.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
 }

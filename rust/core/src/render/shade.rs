@@ -16,7 +16,7 @@ const DIFFUSE: f32 = 0.58;
 const RIM: f32 = 0.45;
 const RIM_FROM: f32 = 0.6;
 /// The share of their colour that the farthest things lose.
-const FOG: f32 = 0.55;
+const FOG: f32 = 0.66;
 /// Far things fade to this where there is no ground to fade to.
 const HAZE: Vec3 = Vec3::splat(140.0);
 
