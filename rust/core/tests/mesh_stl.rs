@@ -169,8 +169,8 @@ fn an_ascii_file_is_read_strictly_and_complaints_name_the_line() {
         ("vertex 1,5 0 0", "line 4: expected a number"),
         ("vertex 1 0", "line 5: expected a number"),
         ("vertex 1 0 0 0", "line 4: expected vertex"),
-        ("vertex 1e999 0 0", "line 4: inf"),
-        ("vertex nan 0 0", "line 4: NaN"),
+        ("vertex 1e999 0 0", "line 4: (inf, 0, 0)"),
+        ("vertex nan 0 0", "line 4: (NaN, 0, 0)"),
         ("endloop", "line 4: expected vertex"),
     ] {
         let text = Scratch::new("strict.stl", with_line_4(line).as_bytes()).refusal();

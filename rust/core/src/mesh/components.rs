@@ -95,23 +95,25 @@ impl Bodies {
 
 /// The body of each face and the number of bodies.
 fn labels(neighbours: &[[u32; 3]]) -> (Vec<u32>, usize) {
-    let mut sets = UnionFind::new(neighbours.len());
-    for (f, edges) in neighbours.iter().enumerate() {
+    let sets = UnionFind::new(neighbours.len());
+    neighbours.par_iter().enumerate().for_each(|(f, edges)| {
         for &g in edges {
             if g != NO_FACE && (g as usize) < f {
                 sets.join(f as u32, g);
             }
         }
-    }
-    let mut of = vec![0; neighbours.len()];
+    });
+    let mut of: Vec<u32> =
+        (0..neighbours.len() as u32).into_par_iter().map(|f| sets.find(f)).collect();
     let mut count = 0;
-    for f in 0..neighbours.len() as u32 {
-        let root = sets.find(f);
-        of[f as usize] = if root == f {
+    for f in 0..of.len() {
+        let root = of[f] as usize;
+        of[f] = if root == f {
             count += 1;
             count as u32 - 1
         } else {
-            of[root as usize]
+            // A root is its set's lowest face, so it has its label already.
+            of[root]
         };
     }
     (of, count)

@@ -7,6 +7,8 @@
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
+
 use super::surface::Surface;
 
 /// Drops repeated facets and returns how many.
@@ -51,7 +53,8 @@ fn suspects(surface: &Surface) -> Vec<u32> {
         let [a, b, c] = surface.neighbours[f];
         a == b && b == c && a != super::NO_FACE
     };
-    faces.extend((0..surface.faces.len()).filter(bubble).map(|f| f as u32));
+    let bubbles = (0..surface.faces.len()).into_par_iter().filter(bubble).map(|f| f as u32);
+    faces.par_extend(bubbles);
     faces.sort_unstable();
     faces.dedup();
     faces

@@ -1,6 +1,7 @@
 //! From welded facets to a mesh that can be sliced, and the report of what that took.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::components::{Bodies, Body};
 use super::surface::Surface;
@@ -111,7 +112,10 @@ pub fn repair(
 ) -> Result<(Mesh, RepairReport)> {
     limits.check()?;
     let mut report = RepairReport { facets: faces.len(), ..RepairReport::default() };
-    faces.retain(|&[a, b, c]| a != b && b != c && c != a);
+    let spans = |&[a, b, c]: &[u32; 3]| a != b && b != c && c != a;
+    if !faces.par_iter().all(spans) {
+        faces.retain(spans);
+    }
     report.dropped_degenerate = report.facets - faces.len();
     if faces.is_empty() {
         return Err(CoreError::NoContour("no facet of the model has an area".into()));

@@ -6,6 +6,7 @@
 
 use std::collections::HashSet;
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::surface::Surface;
@@ -89,16 +90,24 @@ fn edges_near(surface: &Surface, faces: &[usize]) -> HashSet<(u32, u32)> {
 pub fn find(surface: &Surface, limit: f64) -> Vec<usize> {
     (0..surface.faces.len())
         .into_par_iter()
-        .filter(|&f| height(surface, surface.faces[f]) <= limit)
+        .filter(|&f| {
+            let (area, longest) = measures(surface, surface.faces[f]);
+            area <= limit * limit * longest
+        })
         .collect()
 }
 
 /// Height of a triangle over its longest edge.
 fn height(surface: &Surface, face: [u32; 3]) -> f64 {
+    let (area, longest) = measures(surface, face);
+    if longest == 0.0 { 0.0 } else { (area / longest).sqrt() }
+}
+
+/// Squares of twice a triangle's area and of its longest edge.
+fn measures(surface: &Surface, face: [u32; 3]) -> (f64, f64) {
     let [a, b, c] = face.map(|v| surface.vertices[v as usize]);
-    let longest =
-        (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
-    if longest == 0.0 { 0.0 } else { (b - a).cross(c - a).length() / longest.sqrt() }
+    let edges = [b - a, c - b, a - c].map(DVec3::length_squared);
+    ((b - a).cross(c - a).length_squared(), edges[0].max(edges[1]).max(edges[2]))
 }
 
 fn longest_edge(surface: &Surface, f: usize) -> usize {

@@ -45,7 +45,7 @@ fn clusters(vertices: &[DVec3], rim: &[u32], tolerance: f64) -> Vec<u32> {
     let point = |i: usize| vertices[rim[i] as usize];
     let cell = |p: DVec3| (p / tolerance).floor().as_i64vec3();
     let mut grid: HashMap<I64Vec3, Vec<usize>> = HashMap::new();
-    let mut sets = UnionFind::new(rim.len());
+    let sets = UnionFind::new(rim.len());
     for i in 0..rim.len() {
         let home = cell(point(i));
         for n in 0..27 {

@@ -13,7 +13,7 @@ use super::NO_FACE;
 /// Faces that one task gathers.
 const CHUNK_FACES: usize = 1 << 15;
 /// Vertices of one block: its counters fit the second-level cache.
-const BLOCK_VERTICES: usize = 1 << 14;
+const BLOCK_VERTICES: usize = 1 << 13;
 
 /// How the edges of a set of faces are shared.
 #[derive(Debug, Default)]
@@ -35,34 +35,59 @@ pub fn ends(faces: &[[u32; 3]], h: u32) -> (u32, u32) {
     (face[i], face[(i + 1) % 3])
 }
 
+/// A half-edge as its block sees it.
+#[derive(Clone, Copy, Default)]
+struct Half {
+    /// Higher of its two vertices.
+    upper: u32,
+    /// Its number.
+    number: u32,
+    /// Lower of its two vertices, counted from the block's first.
+    lower: u16,
+    /// Whether it runs from the lower vertex to the upper one.
+    ascends: bool,
+}
+
+impl Half {
+    fn new(number: u32, a: u32, b: u32) -> Self {
+        let lower = (a.min(b) as usize % BLOCK_VERTICES) as u16;
+        Self { upper: a.max(b), number, lower, ascends: a < b }
+    }
+}
+
 /// Half-edges of one chunk of faces, in the order of their blocks.
 struct Gathered {
-    halves: Vec<u32>,
+    halves: Vec<Half>,
     starts: Vec<usize>,
 }
 
 impl Gathered {
     fn new(faces: &[[u32; 3]], first: usize, blocks: usize) -> Self {
         let block = |a: u32, b: u32| a.min(b) as usize / BLOCK_VERTICES;
-        let edges = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)];
         let mut starts = vec![0; blocks + 1];
-        for (a, b) in faces.iter().flat_map(edges) {
-            starts[block(a, b) + 1] += 1;
+        for &[a, b, c] in faces {
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                starts[block(a, b) + 1] += 1;
+            }
         }
         for i in 0..blocks {
             starts[i + 1] += starts[i];
         }
         let mut next = starts.clone();
-        let mut halves = vec![0; 3 * faces.len()];
-        for (h, (a, b)) in faces.iter().flat_map(edges).enumerate() {
-            let slot = &mut next[block(a, b)];
-            halves[*slot] = (3 * first + h) as u32;
-            *slot += 1;
+        let mut halves = vec![Half::default(); 3 * faces.len()];
+        let mut number = 3 * first as u32;
+        for &[a, b, c] in faces {
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                let slot = &mut next[block(a, b)];
+                halves[*slot] = Half::new(number, a, b);
+                *slot += 1;
+                number += 1;
+            }
         }
         Self { halves, starts }
     }
 
-    fn block(&self, b: usize) -> &[u32] {
+    fn block(&self, b: usize) -> &[Half] {
         &self.halves[self.starts[b]..self.starts[b + 1]]
     }
 }
@@ -89,7 +114,7 @@ impl Adjacency {
             (0..faces.len()).into_par_iter().map(|_| [NO_FACE; 3].map(AtomicU32::new)).collect();
         let tallies: Vec<Tally> = (0..blocks)
             .into_par_iter()
-            .map(|block| match_block(faces, &gathered, block, &slots))
+            .map(|block| match_block(&gathered, block, &slots))
             .collect();
         let mut adjacency = Self::default();
         for tally in tallies {
@@ -105,56 +130,49 @@ impl Adjacency {
 }
 
 /// Matches the half-edges whose lower vertex lies in the block.
-fn match_block(
-    faces: &[[u32; 3]],
-    gathered: &[Gathered],
-    block: usize,
-    slots: &[[AtomicU32; 3]],
-) -> Tally {
-    let halves = || gathered.iter().flat_map(|chunk| chunk.block(block));
-    let lower = |h: u32| {
-        let (a, b) = ends(faces, h);
-        (a.min(b) as usize - block * BLOCK_VERTICES, a.max(b))
-    };
-    let mut starts = vec![0; BLOCK_VERTICES + 1];
-    for &h in halves() {
-        starts[lower(h).0 + 1] += 1;
+fn match_block(gathered: &[Gathered], block: usize, slots: &[[AtomicU32; 3]]) -> Tally {
+    let mut starts = vec![0_usize; BLOCK_VERTICES + 1];
+    for chunk in gathered {
+        for half in chunk.block(block) {
+            starts[half.lower as usize + 1] += 1;
+        }
     }
     for v in 0..BLOCK_VERTICES {
         starts[v + 1] += starts[v];
     }
     let mut next = starts.clone();
-    let mut sorted = vec![(0, 0); starts[BLOCK_VERTICES]];
-    for &h in halves() {
-        let (vertex, upper) = lower(h);
-        sorted[next[vertex]] = (upper, h);
-        next[vertex] += 1;
+    let mut sorted = vec![Half::default(); starts[BLOCK_VERTICES]];
+    for chunk in gathered {
+        for half in chunk.block(block) {
+            let slot = &mut next[half.lower as usize];
+            sorted[*slot] = *half;
+            *slot += 1;
+        }
     }
     let mut tally = Tally::default();
     for range in starts.windows(2) {
         let around = &mut sorted[range[0]..range[1]];
-        around.sort_unstable();
-        for edge in around.chunk_by(|a, b| a.0 == b.0) {
-            match_edge(faces, edge, slots, &mut tally);
+        around.sort_unstable_by_key(|half| (half.upper, half.number));
+        for edge in around.chunk_by(|a, b| a.upper == b.upper) {
+            match_edge(edge, slots, &mut tally);
         }
     }
     tally
 }
 
-/// Joins the faces of one edge, given as its upper vertex and half-edges.
-fn match_edge(
-    faces: &[[u32; 3]],
-    edge: &[(u32, u32)],
-    slots: &[[AtomicU32; 3]],
-    tally: &mut Tally,
-) {
+/// Joins the faces of one edge, given by its half-edges.
+fn match_edge(edge: &[Half], slots: &[[AtomicU32; 3]], tally: &mut Tally) {
+    let join = |half: Half, other: Half| {
+        let (face, i) = (half.number / 3, half.number % 3);
+        slots[face as usize][i as usize].store(other.number / 3, Ordering::Relaxed);
+    };
     match *edge {
         [_] => tally.boundary += 1,
-        [(_, g), (_, h)] => {
-            slots[g as usize / 3][g as usize % 3].store(h / 3, Ordering::Relaxed);
-            slots[h as usize / 3][h as usize % 3].store(g / 3, Ordering::Relaxed);
-            tally.opposed += usize::from(ends(faces, g) == ends(faces, h));
+        [g, h] => {
+            join(g, h);
+            join(h, g);
+            tally.opposed += usize::from(g.ascends == h.ascends);
         }
-        _ => tally.fans.push(edge.iter().map(|&(_, h)| h).collect()),
+        _ => tally.fans.push(edge.iter().map(|half| half.number).collect()),
     }
 }

@@ -11,8 +11,8 @@ use crate::{CoreError, Result};
 
 /// Most corners of one chunk, so that a chunk's own indices fit 16 bits.
 pub const CHUNK_CORNERS: usize = 3 << 14;
-/// Slots of a chunk's table: the next power of two above its corners.
-const CHUNK_SLOTS: usize = 1 << 16;
+/// Least number of a table's slots for each key: collisions cost more than memory does.
+const SLOTS_PER_KEY: usize = 4;
 /// Partitions of the hashes; a power of two.
 const PARTITIONS: usize = 64;
 const EMPTY: u32 = u32::MAX;
@@ -92,31 +92,48 @@ fn key(vertices: &[DVec3], v: u32) -> Result<[u64; 3]> {
     )))
 }
 
-/// A hash table of indices into a list of distinct keys.
+/// A hash table of indices into a list of distinct keys; it grows with the list.
 struct Table {
     slots: Vec<u32>,
 }
 
-impl Table {
-    fn new(slots: usize) -> Self {
-        Self { slots: vec![EMPTY; slots] }
+impl Default for Table {
+    fn default() -> Self {
+        Self { slots: vec![EMPTY; 1 << 10] }
     }
+}
 
+impl Table {
     /// Index of the key in `keys`, where it is appended if it is new.
     fn index<K: Key>(&mut self, key: K, keys: &mut Vec<K>) -> u32 {
+        let slot = self.slot(key, keys);
+        if self.slots[slot] != EMPTY {
+            return self.slots[slot];
+        }
+        let index = keys.len() as u32;
+        self.slots[slot] = index;
+        keys.push(key);
+        if SLOTS_PER_KEY * keys.len() > self.slots.len() {
+            self.grow(keys);
+        }
+        index
+    }
+
+    /// The slot that holds the key, or the empty one where it belongs.
+    fn slot<K: Key>(&self, key: K, keys: &[K]) -> usize {
         let mask = self.slots.len() - 1;
         let mut slot = key.hash() as usize & mask;
-        loop {
-            match self.slots[slot] {
-                EMPTY => {
-                    let index = keys.len() as u32;
-                    self.slots[slot] = index;
-                    keys.push(key);
-                    return index;
-                }
-                index if keys[index as usize] == key => return index,
-                _ => slot = (slot + 1) & mask,
-            }
+        while self.slots[slot] != EMPTY && keys[self.slots[slot] as usize] != key {
+            slot = (slot + 1) & mask;
+        }
+        slot
+    }
+
+    fn grow<K: Key>(&mut self, keys: &[K]) {
+        self.slots = vec![EMPTY; 2 * self.slots.len()];
+        for (index, &key) in keys.iter().enumerate() {
+            let slot = self.slot(key, keys);
+            self.slots[slot] = index as u32;
         }
     }
 }
@@ -150,7 +167,7 @@ pub struct Collector<K> {
 
 impl<K: Key> Default for Collector<K> {
     fn default() -> Self {
-        Self { table: Table::new(CHUNK_SLOTS), keys: Vec::new(), corners: Vec::new() }
+        Self { table: Table::default(), keys: Vec::new(), corners: Vec::new() }
     }
 }
 
@@ -221,7 +238,7 @@ struct Part {
 impl Part {
     fn new<K: Key>(p: usize, chunks: &[Chunk<K>], splits: &[Split]) -> Self {
         let count: usize = splits.iter().map(|split| split.part(p).len()).sum();
-        let mut table = Table::new((2 * count).next_power_of_two());
+        let mut table = Table::default();
         let (mut keys, mut first) = (Vec::new(), Vec::new());
         let (mut starts, mut index) = (Vec::with_capacity(chunks.len()), Vec::with_capacity(count));
         for (c, (chunk, split)) in chunks.iter().zip(splits).enumerate() {
@@ -247,14 +264,8 @@ pub fn weld<K: Key>(chunks: &[Chunk<K>], ids: &mut [u32]) -> Vec<DVec3> {
     let splits: Vec<Split> = chunks.par_iter().map(|chunk| Split::new(&chunk.keys)).collect();
     let parts: Vec<Part> =
         (0..PARTITIONS).into_par_iter().map(|p| Part::new(p, chunks, &splits)).collect();
-    let (own, vertices) = number(chunks, &parts);
-    let mut rest = ids;
-    let mut targets = Vec::with_capacity(chunks.len());
-    for chunk in chunks {
-        let (target, tail) = rest.split_at_mut(chunk.len());
-        targets.push(target);
-        rest = tail;
-    }
+    let (own, vertices) = number(chunks, &splits, &parts);
+    let targets = split(ids, chunks.iter().map(Chunk::len));
     targets.into_par_iter().enumerate().for_each(|(c, target)| {
         let map = key_ids(c, &splits[c], &parts, &own);
         for (id, &corner) in target.iter_mut().zip(&chunks[c].corners) {
@@ -264,23 +275,50 @@ pub fn weld<K: Key>(chunks: &[Chunk<K>], ids: &mut [u32]) -> Vec<DVec3> {
     vertices
 }
 
+/// Cuts a slice into pieces of the given lengths.
+fn split<T>(mut slice: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+    lengths.map(|length| slice.split_off_mut(..length).unwrap_or_default()).collect()
+}
+
 /// Numbers first occurrences in the order of chunks and keys: for each chunk's key its vertex,
 /// or [`EMPTY`] where the key occurred in an earlier chunk; and the vertices.
-fn number<K: Key>(chunks: &[Chunk<K>], parts: &[Part]) -> (Vec<Vec<u32>>, Vec<DVec3>) {
-    let mut own: Vec<Vec<u32>> = chunks.iter().map(|chunk| vec![EMPTY; chunk.keys.len()]).collect();
-    for &(c, k) in parts.iter().flat_map(|part| &part.first) {
-        own[c as usize][k as usize] = 0;
-    }
-    let mut vertices = Vec::with_capacity(parts.iter().map(|part| part.first.len()).sum());
-    for (ids, chunk) in own.iter_mut().zip(chunks) {
-        for (id, key) in ids.iter_mut().zip(&chunk.keys) {
-            if *id != EMPTY {
-                *id = vertices.len() as u32;
-                vertices.push(key.point());
+fn number<K: Key>(
+    chunks: &[Chunk<K>],
+    splits: &[Split],
+    parts: &[Part],
+) -> (Vec<Vec<u32>>, Vec<DVec3>) {
+    let fresh: Vec<Vec<bool>> =
+        splits.par_iter().enumerate().map(|(c, split)| first_keys(c, split, parts)).collect();
+    let counts: Vec<usize> =
+        fresh.par_iter().map(|fresh| fresh.iter().filter(|&&first| first).count()).collect();
+    let mut vertices = vec![DVec3::ZERO; counts.iter().sum()];
+    let starts = counts.iter().scan(0, |next, count| Some(std::mem::replace(next, *next + count)));
+    let starts: Vec<usize> = starts.collect();
+    let targets = split(&mut vertices, counts.iter().copied());
+    let own = targets.into_par_iter().enumerate().map(|(c, target)| {
+        let mut rank = 0;
+        let number = |(key, &first): (&K, &bool)| {
+            if !first {
+                return EMPTY;
             }
+            target[rank] = key.point();
+            rank += 1;
+            (starts[c] + rank - 1) as u32
+        };
+        chunks[c].keys.iter().zip(&fresh[c]).map(number).collect()
+    });
+    (own.collect(), vertices)
+}
+
+/// Which keys of chunk `c` occur in no earlier chunk.
+fn first_keys(c: usize, split: &Split, parts: &[Part]) -> Vec<bool> {
+    let mut fresh = vec![false; split.order.len()];
+    for (p, part) in parts.iter().enumerate() {
+        for (&k, &index) in split.part(p).iter().zip(&part.index[part.starts[c]..]) {
+            fresh[k as usize] = part.first[index as usize] == (c as u32, k);
         }
     }
-    (own, vertices)
+    fresh
 }
 
 /// The vertex of each key of chunk `c`.

@@ -3,7 +3,7 @@
 //! The file is cut at `endfacet` tokens near multiples of [`CHUNK`], so that every thread parses
 //! whole facets. An error knows its byte; its line is counted only when it is reported.
 
-use super::{Chunks, Source, bits, read_chunks};
+use super::{Chunks, Source, key, read_chunks};
 use crate::mesh::weld::{Chunk, Collector};
 use crate::{CoreError, Result};
 
@@ -128,13 +128,13 @@ impl<'a> Parser<'a> {
         self.keyword("loop")?;
         for _ in 0..3 {
             self.keyword("vertex")?;
-            let mut key = [0; 3];
-            for x in &mut key {
-                let value = self.number()?;
-                *x = bits(value)
-                    .ok_or_else(|| format!("{value} is not a finite, sensible coordinate"))?;
-            }
-            collector.push(key);
+            let point = [self.number()?, self.number()?, self.number()?];
+            collector.push(key(point).ok_or_else(|| {
+                format!(
+                    "({}) is not a finite, sensible point",
+                    point.map(|x| x.to_string()).join(", ")
+                )
+            })?);
         }
         self.keyword("endloop")?;
         self.keyword("endfacet")

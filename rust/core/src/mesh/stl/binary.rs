@@ -1,6 +1,6 @@
 //! Binary STL: 80 bytes of header, a 32-bit count, 50 bytes a facet, little-endian.
 
-use super::{Chunks, MOST_FACETS, Source, bits, read_chunks};
+use super::{Chunks, MOST_FACETS, Source, key, read_chunks};
 use crate::Result;
 use crate::mesh::weld::{CHUNK_CORNERS, Collector};
 
@@ -54,21 +54,19 @@ pub fn read(source: &Source, facets: u64) -> Result<Chunks> {
         if buffer.len() != count * FACET {
             return Err(source.error("the file shrank while it was read"));
         }
-        for (f, facet) in buffer.chunks_exact(FACET).enumerate() {
-            for (v, corner) in facet[CORNERS].chunks_exact(12).enumerate() {
-                let point = corner_point(corner);
-                match point.map(bits) {
-                    [Some(x), Some(y), Some(z)] => collector.push([x, y, z]),
-                    _ => return Err(bad_corner(source, first + f as u64, v, point)),
-                }
+        let (facets, _) = buffer.as_chunks::<FACET>();
+        for (f, facet) in facets.iter().enumerate() {
+            let (words, _) = facet[CORNERS].as_chunks::<4>();
+            for (v, corner) in words.as_chunks::<3>().0.iter().enumerate() {
+                let point = corner.map(f32::from_le_bytes);
+                let Some(key) = key(point) else {
+                    return Err(bad_corner(source, first + f as u64, v, point));
+                };
+                collector.push(key);
             }
         }
         Ok(collector.finish())
     })
-}
-
-fn corner_point(bytes: &[u8]) -> [f32; 3] {
-    [0, 4, 8].map(|i| f32::from_le_bytes([bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]]))
 }
 
 fn bad_corner(source: &Source, facet: u64, corner: usize, point: [f32; 3]) -> crate::CoreError {

@@ -97,7 +97,10 @@ fn read_chunks<S>(
     chunks.into_iter().collect()
 }
 
-/// The coordinate's bits with −0 stored as 0, or nothing where it is absurd or not finite.
-fn bits(value: f32) -> Option<u32> {
-    (f64::from(value.abs()) <= weld::LARGEST).then(|| (value + 0.0).to_bits())
+/// The point's bits with −0 stored as 0, or nothing where it is absurd or not finite.
+fn key(point: [f32; 3]) -> Option<[u32; 3]> {
+    let sensible = |x: f32| x.abs() <= weld::LARGEST as f32;
+    // Adding 0 turns −0 into 0 and changes nothing else.
+    let key = point.map(|x| (x + 0.0).to_bits());
+    (sensible(point[0]) & sensible(point[1]) & sensible(point[2])).then_some(key)
 }
