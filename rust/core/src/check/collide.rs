@@ -1,5 +1,7 @@
 //! Rule 1: no move drives the head into what was printed before it, nor into the bed.
 
+use std::ops::ControlFlow;
+
 use rayon::prelude::*;
 
 use super::deposit::Deposit;
@@ -54,6 +56,7 @@ fn with_material(step: &Step, laid: u32, deposit: &Deposit, rules: &Rules) -> Op
             {
                 worst = Some((strand, hit));
             }
+            ControlFlow::Continue(())
         });
     }
     let depth = worst.map_or(tolerance, |(_, hit)| hit.depth);

@@ -1,5 +1,7 @@
 //! Where a strand touches what is there already.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 
 use super::Rules;
@@ -24,17 +26,35 @@ pub(super) fn touch(rules: &Rules) -> f64 {
 pub(super) fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> {
     let ends = deposit.strands[strand as usize];
     let mut parts = Vec::new();
-    parts.extend(below(ends, rules.bed_contact + ROUNDING_MM));
-    if parts == [[0.0, 1.0]] {
+    let mut covered = 0.0;
+    if let Some(part) = below(ends, rules.bed_contact + ROUNDING_MM) {
+        covered = insert(&mut parts, part, covered);
+    }
+    if covered >= 1.0 {
         return parts;
     }
     let radius = touch(rules);
     let lowest = ends[0].z.min(ends[1].z) - radius;
     deposit.grid.earlier(ends, radius, strand, lowest, |other| {
         let material = eligible(strand, other, deposit, rules.strand * OWN_CHAIN_DIAMETERS);
-        parts.extend(material.and_then(|material| within(ends, material, radius)));
+        if let Some(part) = material.and_then(|material| within(ends, material, radius)) {
+            covered = insert(&mut parts, part, covered);
+        }
+        if covered >= 1.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     merge(parts)
+}
+
+/// Adds a part, and returns up to where the parts cover the strand from its start without a gap.
+fn insert(parts: &mut Vec<Part>, part: Part, mut covered: f64) -> f64 {
+    parts.push(part);
+    if part[0] <= covered && part[1] > covered {
+        covered = part[1];
+        while let Some(next) = parts.iter().find(|part| part[0] <= covered && part[1] > covered) {
+            covered = next[1];
+        }
+    }
+    covered
 }
 
 /// The part of strand `other` that may hold `strand`: all of it, or, in the same chain, what lies

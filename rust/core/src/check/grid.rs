@@ -5,7 +5,7 @@
 //! or forwards in time stops as soon as nothing further can matter. That keeps a query from
 //! looking at what lies far below or above.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use glam::{DVec2, DVec3};
 
@@ -62,7 +62,7 @@ impl Grid {
     fn count(&mut self, strands: &[[DVec3; 2]]) {
         let mut counts = vec![0_usize; self.columns * self.rows];
         for strand in strands {
-            self.visit(*strand, 0.0, |cell| counts[cell] += 1);
+            self.every(*strand, |cell| counts[cell] += 1);
         }
         let mut total = 0;
         for (start, count) in self.starts.iter_mut().skip(1).zip(counts) {
@@ -76,7 +76,7 @@ impl Grid {
         let empty = Entry { strand: 0, ceiling: 0.0, floor: 0.0 };
         let mut entries = vec![empty; *self.starts.last().unwrap_or(&0)];
         for (strand, ends) in (0_u32..).zip(strands) {
-            self.visit(*ends, 0.0, |cell| {
+            self.every(*ends, |cell| {
                 entries[next[cell]].strand = strand;
                 next[cell] += 1;
             });
@@ -104,24 +104,25 @@ impl Grid {
 
     /// Calls `found` with each strand before strand `before` whose cell lies within `reach` of the
     /// segment (mm, over xy), latest first in each cell, until nothing in the cell rises above
-    /// `height`. A strand that lies in several cells is found in each of them.
+    /// `height`, or until `found` breaks off. A strand in several cells is found in each of them.
     pub(super) fn earlier(
         &self,
         segment: [DVec3; 2],
         reach: f64,
         before: u32,
         height: f64,
-        mut found: impl FnMut(u32),
+        mut found: impl FnMut(u32) -> ControlFlow<()>,
     ) {
-        self.visit(segment, reach, |cell| {
+        let _ = self.visit(segment, reach, |cell| {
             let entries = &self.entries[self.starts[cell]..self.starts[cell + 1]];
             let end = entries.partition_point(|entry| entry.strand < before);
             for entry in entries[..end].iter().rev() {
                 if entry.ceiling <= height {
                     break;
                 }
-                found(entry.strand);
+                found(entry.strand)?;
             }
+            ControlFlow::Continue(())
         });
     }
 
@@ -135,18 +136,34 @@ impl Grid {
         height: f64,
         mut test: impl FnMut(u32) -> bool,
     ) -> bool {
-        let mut any = false;
-        self.visit([point, point], reach, |cell| {
+        let search = self.visit([point, point], reach, |cell| {
             let entries = &self.entries[self.starts[cell]..self.starts[cell + 1]];
             let begin = entries.partition_point(|entry| entry.strand <= after);
-            let later = entries[begin..].iter().take_while(|entry| entry.floor <= height);
-            any = any || later.map(|entry| entry.strand).any(&mut test);
+            let mut later = entries[begin..].iter().take_while(|entry| entry.floor <= height);
+            if later.any(|entry| test(entry.strand)) {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
         });
-        any
+        search.is_break()
     }
 
-    /// Calls `found` with every cell that a segment comes within `reach` of, row by row.
-    fn visit(&self, [a, b]: [DVec3; 2], reach: f64, mut found: impl FnMut(usize)) {
+    /// Calls `found` with every cell that a segment passes.
+    fn every(&self, segment: [DVec3; 2], mut found: impl FnMut(usize)) {
+        let _ = self.visit(segment, 0.0, |cell| {
+            found(cell);
+            ControlFlow::Continue(())
+        });
+    }
+
+    /// Calls `found` with the cells that a segment comes within `reach` of, row by row, until it
+    /// breaks off.
+    fn visit(
+        &self,
+        [a, b]: [DVec3; 2],
+        reach: f64,
+        mut found: impl FnMut(usize) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let reach = reach + SLACK_MM;
         let (low, high) = (a.y.min(b.y) - reach - self.low.y, a.y.max(b.y) + reach - self.low.y);
         for row in cells(low, high, self.cell.y, self.rows) {
@@ -155,9 +172,10 @@ impl Grid {
             let Some((left, right)) = clip(a, b, bottom, top) else { continue };
             let (left, right) = (left - reach - self.low.x, right + reach - self.low.x);
             for column in cells(left, right, self.cell.x, self.columns) {
-                found(row * self.columns + column);
+                found(row * self.columns + column)?;
             }
         }
+        ControlFlow::Continue(())
     }
 }
 
