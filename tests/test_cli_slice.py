@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from wireprint import cli, examples
-from wireprint.check import check
+from wireprint.certificate import check
 from wireprint.gcode import document
 from wireprint.mesh import load_mesh
 from wireprint.settings import Settings

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         WireprintError,
         __version__,
     )
+    from wireprint.certificate import Certificate, check
     from wireprint.gcode.flavors import KINDS
     from wireprint.mesh import load_mesh
     from wireprint.pipeline import WirePrint, make, to_gcode, write_gcode
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "KINDS",
+    "Certificate",
     "GcodeError",
     "Mesh",
     "ModelError",
@@ -50,6 +52,7 @@ __all__ = [
     "Wireframe",
     "WireprintError",
     "__version__",
+    "check",
     "estimate",
     "load_mesh",
     "make",
@@ -61,8 +64,10 @@ __all__ = [
 
 _HOMES = {
     "KINDS": "wireprint.gcode.flavors",
+    "Certificate": "wireprint.certificate",
     "Settings": "wireprint.settings",
     "WirePrint": "wireprint.pipeline",
+    "check": "wireprint.certificate",
     "estimate": "wireprint.timing",
     "load_mesh": "wireprint.mesh",
     "make": "wireprint.pipeline",

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wireprint import report
-from wireprint.check import check
+from wireprint.certificate import check
 from wireprint.files import written_whole
 from wireprint.gcode import document
 from wireprint.stages import toolpath, wireframe
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from datetime import datetime
 
     from wireprint._core import Estimate, Mesh, Toolpath, Wireframe
-    from wireprint.check import Certificate
+    from wireprint.certificate import Certificate
     from wireprint.gcode.document import Thumbnail
     from wireprint.settings import Settings
 

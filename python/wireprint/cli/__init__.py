@@ -19,6 +19,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "slice": ("wireprint.cli.slicing", "slice_models", "Turn models into wire prints."),
     "info": ("wireprint.cli.info", "info", "Tell size, surface and faults of a model."),
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
+    "check": ("wireprint.cli.check", "check", "Judge whether G-code can be printed."),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
     "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),

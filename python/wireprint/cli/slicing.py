@@ -16,7 +16,7 @@ from wireprint.cli.placement import placement_options
 from wireprint.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from wireprint.check import Certificate
+    from wireprint.certificate import Certificate
     from wireprint.settings import Settings
 
 

@@ -17,7 +17,7 @@ use crate::wireframe::HeadArgs;
 
 type Point = (f64, f64, f64);
 
-/// What a file is judged by, as `wireprint.check` resolves it: every key is there.
+/// What a file is judged by, as `wireprint.certificate` resolves it: every key is there.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct RulesTable {

@@ -1,0 +1,98 @@
+"""``wireprint check``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from wireprint.cli.placement import placement_options
+
+if TYPE_CHECKING:
+    from wireprint._core import Mesh
+    from wireprint.certificate import Certificate
+
+#: Breaches of one rule that are printed; the rest is counted.
+SHOWN = 10
+
+
+@click.command()
+@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--printer", help="Profile to judge by; default: the file's own, else kossel-mini.")
+@click.option(
+    "--model",
+    "model_path",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    help="Model to compare with, placed by the options below as slice places it.",
+)
+@placement_options
+@click.option(
+    "--picture",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="PNG file to draw the print to, breaches in red.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one object with every breach.")
+@click.pass_context
+def check(
+    ctx: click.Context,
+    /,
+    file: Path,
+    printer: str | None,
+    model_path: Path | None,
+    picture: Path | None,
+    as_json: bool,
+    **placement: Any,
+) -> None:
+    """Judge whether a G-code file can be printed.
+
+    FILE may come from any program. The whole head follows every move; the exit code is 1 if it
+    runs into something, or if a strand starts or ends in the air, hangs too far, or leaves the
+    machine's bounds.
+    """
+    from wireprint.certificate import check as judge
+
+    certificate = judge(file, printer, _model(model_path, placement))
+    if picture is not None:
+        from wireprint.view import render_png
+
+        render_png(file, picture, breaches=certificate.breach_points_mm)
+    if as_json:
+        click.echo(json.dumps({"file": str(file), **certificate.to_dict()}, indent=2))
+    else:
+        _show(file, certificate)
+    ctx.exit(0 if certificate.ok else 1)
+
+
+def _model(path: Path | None, placement: dict[str, Any]) -> Mesh | None:
+    if path is None:
+        return None
+    from wireprint.mesh import load_mesh
+
+    return load_mesh(path, **placement)
+
+
+def _show(file: Path, certificate: Certificate) -> None:
+    verdict = "printable" if certificate.ok else "not printable"
+    click.echo(
+        f"{file}: {verdict} on {certificate.printer} "
+        f"({certificate.moves} moves, {certificate.strands} strands)"
+    )
+    for name, found in certificate.breaches().items():
+        click.echo(f"  {name.replace('_', ' ')}: {len(found)}")
+        for breach in found[:SHOWN]:
+            click.echo(f"    line {breach.line}: {breach}")
+        if len(found) > SHOWN:
+            click.echo(f"    and {len(found) - SHOWN} more")
+    click.echo(
+        f"  longest span: {certificate.max_span_mm:.1f} mm; "
+        f"longest free end: {certificate.max_free_end_mm:.1f} mm"
+    )
+    if (fidelity := certificate.fidelity) is not None:
+        click.echo(
+            f"  coverage: {fidelity.coverage:.1%} within {fidelity.within_mm:g} mm\n"
+            f"  deviation: {fidelity.deviation_mm:.2f} mm (at most "
+            f"{fidelity.max_deviation_mm:.2f}); as chords {fidelity.chord_deviation_mm:.2f} mm "
+            f"(at most {fidelity.max_chord_deviation_mm:.2f})"
+        )
