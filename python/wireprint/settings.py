@@ -5,7 +5,8 @@ exception is ``[motion]``, which keeps the names that Klipper and ``--limits`` f
 (mm, mm/s and mm/s² throughout).
 """
 
-from __future__ import annotations
+# No `from __future__ import annotations` here: pydantic would have to evaluate every one of
+# them, which costs more than the rest of this module.
 
 import math
 from pathlib import Path
@@ -407,8 +408,8 @@ class Settings(Section):
         cls,
         printer: str = "kossel-mini",
         material: str = "abs",
-        load: Iterable[str | Path] = (),
-        overrides: Iterable[str] = (),
+        load: "Iterable[str | Path]" = (),
+        overrides: "Iterable[str]" = (),
     ) -> Self:
         """Compose settings from profiles, files and single keys; later ones win.
 
@@ -431,7 +432,7 @@ class Settings(Section):
         return _compose.compose(cls, printer, material, load, overrides)
 
     @classmethod
-    def from_mapping(cls, values: Mapping[str, Any]) -> Self:
+    def from_mapping(cls, values: "Mapping[str, Any]") -> Self:
         """Validate a mapping of the form that ``model_dump`` gives.
 
         Raises
