@@ -165,9 +165,6 @@ class Cooling(Section):
     valve_output: str = Field(
         "wire_air", pattern=r"^\w+$", description="the valve's [output_pin] under Klipper"
     )
-    fan_spin_up_s: float = Field(
-        2.0, ge=0, le=30, description="time a part fan needs; too long to follow single strokes"
-    )
 
 
 class Gcode(Section):
@@ -305,9 +302,6 @@ class Wire(Section):
     first_layer_height_mm: float | None = Field(
         None, gt=0, le=5, description="tip over bed; None: half a nozzle, which squeezes a strand"
     )
-    layer_height_mm: float | None = Field(
-        None, gt=0, le=5, description="in layer-wise regions; None: the nozzle (paper: 0.7)"
-    )
     brim_rings: int = Field(0, ge=0, le=50, description="flat rings about the first contours")
     skirt_rings: int = Field(1, ge=0, le=20, description="prime the nozzle; CuraEngine's default")
     skirt_gap_mm: float = Field(3.0, ge=0, le=50, description="CuraEngine's default")
@@ -390,11 +384,6 @@ class Settings(Section):
     def first_layer_height_mm(self) -> float:
         """Height of the tip over the bed where strands lie on it, mm."""
         return self.wire.first_layer_height_mm or self.printer.head.nozzle_mm / 2
-
-    @property
-    def layer_height_mm(self) -> float:
-        """Height of the layers in layer-wise regions, mm."""
-        return self.wire.layer_height_mm or self.printer.head.nozzle_mm
 
     @property
     def pause_s(self) -> float:
