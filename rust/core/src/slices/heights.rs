@@ -252,7 +252,7 @@ fn cheapest_chain(
     let (bottom, top) = (heights[0], heights[heights.len() - 1]);
     let planes: Vec<Plane> = heights.iter().map(|&z| Plane { z, side: Side::Below }).collect();
     let (profile, slices) = rayon::join(
-        || Profile::new(mesh, bottom, top, 0.5 * STEP.max((top - bottom) / MOST_CANDIDATES)),
+        || Profile::new(mesh, bottom, top, STEP.max((top - bottom) / MOST_CANDIDATES)),
         || cut(mesh, &planes),
     );
     let outlines = slices.par_iter().map(|loops| Outline::new(loops, params.strand)).collect();

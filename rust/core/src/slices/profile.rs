@@ -15,7 +15,7 @@ const STEEPEST: f64 = 8.0;
 /// Faces a task, fixed so that sums do not depend on the number of threads.
 const CHUNK: usize = 1 << 16;
 
-/// Area and area times slope of one direction in one layer.
+/// Area and mean slope of one direction in one layer (while summing, area times slope).
 #[derive(Debug, Clone, Copy, Default)]
 struct Cell {
     area: f64,
@@ -56,6 +56,9 @@ impl Profile {
                 sum.area += cell.area;
                 sum.slope += cell.slope;
             }
+        }
+        for cell in profile.cells.iter_mut().filter(|c| c.area > 0.0) {
+            cell.slope /= cell.area;
         }
         profile
     }
@@ -105,17 +108,16 @@ impl Profile {
     /// Area-weighted deviation and area of one direction between two layers.
     fn direction_deviation(&self, direction: usize, first: usize, last: usize) -> (f64, f64) {
         let cell = |layer: usize| self.cells[layer * DIRECTIONS + direction];
-        let slope = |c: Cell| if c.area > 0.0 { c.slope / c.area } else { 0.0 };
-        let total: f64 = (first..=last).map(|l| slope(cell(l))).sum();
+        let total: f64 = (first..=last).map(|l| cell(l).slope).sum();
         let mean = total / (last - first + 1) as f64;
         let upright = 1.0 / (1.0 + mean * mean).sqrt();
         let (mut reach, mut sum, mut area) = (0.0, 0.0, 0.0);
         for layer in first..=last {
             let c = cell(layer);
-            let middle = reach + 0.5 * (slope(c) - mean) * self.step;
-            sum += c.area * middle.abs() * upright;
+            let stray = (c.slope - mean) * self.step;
+            sum += c.area * (reach + 0.5 * stray).abs() * upright;
             area += c.area;
-            reach += (slope(c) - mean) * self.step;
+            reach += stray;
         }
         (sum, area)
     }

@@ -47,6 +47,34 @@ pub struct CurvePoint {
     pub position: DVec2,
 }
 
+/// A point of a curve with the moments of the way there, for chord errors at constant cost.
+#[derive(Debug, Clone, Copy)]
+pub struct Station {
+    s: f64,
+    position: DVec2,
+    moments: Moments,
+}
+
+impl Station {
+    /// Integral of the squared distance between the curve from here to `end`, further along it,
+    /// and the chord's line, mm³: what a strand loses that cuts straight across.
+    #[must_use]
+    pub fn chord_error(&self, end: &Self) -> f64 {
+        let arc = end.s - self.s;
+        let m = end.moments.plus(self.moments, -1.0);
+        let (a, chord) = (self.position, end.position - self.position);
+        let square = chord.length_squared();
+        if square < 1e-18 {
+            return m.xx + m.yy - 2.0 * (a.x * m.x + a.y * m.y) + a.length_squared() * arc;
+        }
+        let n = chord.perp();
+        let offset = n.dot(a);
+        let spread = n.x * n.x * m.xx + 2.0 * n.x * n.y * m.xy + n.y * n.y * m.yy;
+        let shift = offset * (offset * arc - 2.0 * (n.x * m.x + n.y * m.y));
+        ((spread + shift) / square).max(0.0)
+    }
+}
+
 /// A polyline, open or closed, in its own arc length.
 #[derive(Debug, Clone)]
 pub struct Curve {
@@ -157,33 +185,20 @@ impl Curve {
         if self.closed { (to - from).rem_euclid(self.length()) } else { to - from }
     }
 
-    fn moments_to(&self, s: f64) -> Moments {
-        let i = self.segment(s);
-        let p = self.points[i];
-        let t = (s - self.at[i]) / (self.at[i + 1] - self.at[i]).max(f64::MIN_POSITIVE);
-        let q = p.lerp(self.points[i + 1], t.clamp(0.0, 1.0));
-        self.moments[i].plus(Moments::of_segment(p, q), 1.0)
-    }
-
-    /// Integral of the squared distance between the arc from `from` over `arc` mm and the chord's
-    /// line, mm³: what a strand loses that cuts straight across.
+    /// The point `ahead` mm beyond arc length `start`; `ahead` is at most one lap.
     #[must_use]
-    pub fn chord_error(&self, from: f64, arc: f64) -> f64 {
-        let (start, end) = (self.wrap(from), self.wrap(from + arc));
-        let mut m = self.moments_to(end).plus(self.moments_to(start), -1.0);
-        let wraps = self.closed && end < start;
-        if wraps {
-            m = m.plus(self.moments[self.moments.len() - 1], 1.0);
-        }
-        let (a, b) = (self.position(start), self.position(end));
-        let chord = b - a;
-        if chord.length_squared() < 1e-18 {
-            return m.xx + m.yy - 2.0 * (a.x * m.x + a.y * m.y) + a.length_squared() * arc;
-        }
-        let n = chord.perp().normalize();
-        let offset = n.dot(a);
-        let square = n.x * n.x * m.xx + 2.0 * n.x * n.y * m.xy + n.y * n.y * m.yy;
-        (square - 2.0 * offset * (n.x * m.x + n.y * m.y) + offset * offset * arc).max(0.0)
+    pub fn station(&self, start: f64, ahead: f64) -> Station {
+        let s = start + ahead;
+        let lap = if self.closed && s >= self.length() { 1.0 } else { 0.0 };
+        let place = (s - lap * self.length()).clamp(0.0, self.length());
+        let i = self.segment(place);
+        let t = (place - self.at[i]) / (self.at[i + 1] - self.at[i]).max(f64::MIN_POSITIVE);
+        let position = self.points[i].lerp(self.points[i + 1], t.clamp(0.0, 1.0));
+        let all = self.moments[self.moments.len() - 1];
+        let moments = self.moments[i]
+            .plus(Moments::of_segment(self.points[i], position), 1.0)
+            .plus(all, lap);
+        Station { s, position, moments }
     }
 
     /// The interior vertices of the arc that starts at `from` and runs `arc` mm forward.
@@ -294,11 +309,14 @@ mod tests {
     #[test]
     fn the_chord_error_is_the_integral_of_the_squared_distance() {
         let curve = square();
-        assert!(curve.chord_error(1.0, 8.0).abs() < 1e-9);
+        let error = |from: f64, arc: f64| {
+            curve.station(from, 0.0).chord_error(&curve.station(from, arc))
+        };
+        assert!(error(1.0, 8.0).abs() < 1e-9);
         // From (5, 0) round the corner to (10, 5): the distance rises to 5/√2 and falls again.
         let expected = 2.0 * 5.0 * (5.0 / 2.0_f64.sqrt()).powi(2) / 3.0;
-        assert!((curve.chord_error(5.0, 10.0) - expected).abs() < 1e-9);
-        assert!((curve.chord_error(35.0, 10.0) - expected).abs() < 1e-9);
+        assert!((error(5.0, 10.0) - expected).abs() < 1e-9);
+        assert!((error(35.0, 10.0) - expected).abs() < 1e-9);
     }
 
     #[test]

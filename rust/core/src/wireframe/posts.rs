@@ -7,7 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::curve::Curve;
+use super::curve::{Curve, Station};
 use super::rim::{Rim, nearest_of};
 use crate::head::Head;
 
@@ -140,81 +140,86 @@ pub fn reachable(head: &Head, from: &Post, to: &Post) -> bool {
 ///
 /// A chain of one post is returned where no second one fits, none where there is no candidate.
 #[must_use]
-pub fn place(
-    curve: &Curve,
-    start: f64,
-    all: &[Candidate],
-    head: &Head,
-    p: &PostParams,
-) -> Vec<Post> {
+pub fn place(curve: &Curve, start: f64, all: &[Candidate], head: &Head, p: &PostParams) -> Vec<Post> {
     let Some(first) = all.first() else { return Vec::new() };
+    let stations = all.iter().map(|c| curve.station(start, c.post.s)).collect();
+    let end = curve.station(start, curve.length());
+    let chain = Chain { curve, all, stations, end, head, p };
     [WIDEST * p.ideal, f64::INFINITY]
         .into_iter()
-        .find_map(|widest| chain(curve, start, all, head, p, widest))
+        .find_map(|widest| chain.cheapest(widest))
         .unwrap_or_else(|| vec![first.post])
 }
 
-fn chain(
-    curve: &Curve,
-    start: f64,
-    all: &[Candidate],
-    head: &Head,
-    p: &PostParams,
-    widest: f64,
-) -> Option<Vec<Post>> {
-    let count = all.len();
-    let step_cost = |from: &Candidate, arc: f64| edge_cost(curve, start, from, arc, p);
-    let mut best = vec![(f64::INFINITY, 0_usize); count];
-    best[0].0 = 0.0;
-    for j in 1..count {
-        let align = ALIGN * (all[j].offset / p.ideal).powi(2);
-        for i in (0..j).rev() {
-            let arc = all[j].post.s - all[i].post.s;
-            if arc > widest.max(1.5 * all[i].spacing) {
-                break;
-            }
-            if !best[i].0.is_finite() || arc < all[i].spacing.max(all[j].spacing) {
-                continue;
-            }
-            if !reachable(head, &all[i].post, &all[j].post) {
-                continue;
-            }
-            let cost = best[i].0 + step_cost(&all[i], arc) + align;
-            if cost < best[j].0 {
-                best[j] = (cost, i);
-            }
-        }
-    }
-    let closes = |j: usize| {
-        let rest = curve.length() - all[j].post.s;
-        if !curve.is_closed() {
-            return Some((rest / p.ideal).powi(2));
-        }
-        let free = reachable(head, &all[0].post, &all[j].post) && rest >= all[j].spacing;
-        (free && rest <= widest).then(|| step_cost(&all[j], rest))
-    };
-    let end = (1..count)
-        .filter(|&j| best[j].0.is_finite())
-        .filter_map(|j| closes(j).map(|c| (best[j].0 + c, j)))
-        .min_by(|a, b| a.0.total_cmp(&b.0))?
-        .1;
-    let mut posts = vec![all[end].post];
-    let mut at = end;
-    while at > 0 {
-        at = best[at].1;
-        posts.push(all[at].post);
-    }
-    posts.reverse();
-    Some(posts)
+/// The candidates of one contour as nodes of a graph whose edges are chords.
+struct Chain<'a> {
+    curve: &'a Curve,
+    all: &'a [Candidate],
+    stations: Vec<Station>,
+    end: Station,
+    head: &'a Head,
+    p: &'a PostParams,
 }
 
-/// Cost of the chord over `arc` mm: how far it strays and how uneven it is.
-fn edge_cost(curve: &Curve, start: f64, from: &Candidate, arc: f64, p: &PostParams) -> f64 {
-    let ideal = p.ideal.max(from.spacing);
-    let stray = curve.chord_error(start + from.post.s, arc) / (p.ideal * p.chord_error.powi(2));
-    let uneven = (arc / ideal - 1.0).powi(2);
-    let over = (arc - p.span_limit).max(0.0) / p.ideal;
-    stray + EVEN * uneven + over * over
+impl Chain<'_> {
+    fn cheapest(&self, widest: f64) -> Option<Vec<Post>> {
+        let (all, p) = (self.all, self.p);
+        let mut best = vec![(f64::INFINITY, 0_usize); all.len()];
+        best[0].0 = 0.0;
+        for j in 1..all.len() {
+            let align = ALIGN * (all[j].offset / p.ideal).powi(2);
+            for i in (0..j).rev() {
+                let arc = all[j].post.s - all[i].post.s;
+                if arc > widest.max(1.5 * all[i].spacing) {
+                    break;
+                }
+                if best[i].0 + align >= best[j].0 || arc < all[i].spacing.max(all[j].spacing) {
+                    continue;
+                }
+                if !reachable(self.head, &all[i].post, &all[j].post) {
+                    continue;
+                }
+                let cost = best[i].0 + align + self.chord(i, &self.stations[j], arc);
+                if cost < best[j].0 {
+                    best[j] = (cost, i);
+                }
+            }
+        }
+        let end = (1..all.len())
+            .filter(|&j| best[j].0.is_finite())
+            .filter_map(|j| self.closing(j, widest).map(|c| (best[j].0 + c, j)))
+            .min_by(|a, b| a.0.total_cmp(&b.0))?
+            .1;
+        let mut posts = vec![all[end].post];
+        let mut at = end;
+        while at > 0 {
+            at = best[at].1;
+            posts.push(all[at].post);
+        }
+        posts.reverse();
+        Some(posts)
+    }
+
+    /// Cost of ending the chain at a candidate; None where the way back to the start is barred.
+    fn closing(&self, j: usize, widest: f64) -> Option<f64> {
+        let last = &self.all[j];
+        let rest = self.curve.length() - last.post.s;
+        if !self.curve.is_closed() {
+            return Some((rest / self.p.ideal).powi(2));
+        }
+        let free = reachable(self.head, &self.all[0].post, &last.post) && rest >= last.spacing;
+        (free && rest <= widest).then(|| self.chord(j, &self.end, rest))
+    }
+
+    /// Cost of the chord over `arc` mm from candidate `i`: how far it strays, how uneven it is.
+    fn chord(&self, i: usize, to: &Station, arc: f64) -> f64 {
+        let p = self.p;
+        let ideal = p.ideal.max(self.all[i].spacing);
+        let stray = self.stations[i].chord_error(to) / (p.ideal * p.chord_error * p.chord_error);
+        let uneven = arc / ideal - 1.0;
+        let over = (arc - p.span_limit).max(0.0) / p.ideal;
+        stray + EVEN * uneven * uneven + over * over
+    }
 }
 
 /// Spacing that divides a contour of `length` mm evenly, at least `least` mm.

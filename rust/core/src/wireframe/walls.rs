@@ -1,52 +1,79 @@
 //! How near the walls of one height come to each other.
 
-use std::collections::HashMap;
-
 use glam::DVec2;
 
 use super::curve::Curve;
 
 /// A place on a contour: its number, arc length (mm) and position.
 type Sample = (u32, f64, DVec2);
-/// Samples by the cell of the grid that they fall into.
-type Cells = HashMap<(i32, i32), Vec<Sample>>;
 
 /// The contours of one height, sampled into a grid.
 #[derive(Debug)]
 pub struct Walls {
     cell: f64,
+    origin: DVec2,
+    columns: usize,
+    rows: usize,
     lengths: Vec<(f64, bool)>,
-    cells: Cells,
+    /// Samples sorted by cell, and where each cell's begin.
+    samples: Vec<Sample>,
+    begins: Vec<u32>,
 }
 
 /// Samples along a contour lie this far apart, mm.
 const SAMPLE: f64 = 1.0;
+/// The grid has at most about this many cells a side.
+const MOST_CELLS: f64 = 512.0;
 
 impl Walls {
     /// Samples the contours; `reach` is the largest distance that will be asked about, mm.
     #[must_use]
     pub fn new(curves: &[Option<Curve>], reach: f64) -> Self {
-        let cell = reach.max(SAMPLE);
-        let mut cells = Cells::new();
-        let mut lengths = Vec::with_capacity(curves.len());
-        for (i, curve) in curves.iter().enumerate() {
-            let Some(curve) = curve else {
-                lengths.push((0.0, false));
-                continue;
-            };
-            lengths.push((curve.length(), curve.is_closed()));
-            let count = (curve.length() / SAMPLE).ceil().max(1.0) as usize;
-            for step in 0..count {
-                let s = curve.length() * step as f64 / count as f64;
-                let p = curve.position(s);
-                cells.entry(Self::key(p, cell)).or_default().push((i as u32, s, p));
-            }
-        }
-        Self { cell, lengths, cells }
+        let samples = samples(curves);
+        let (low, high) = samples
+            .iter()
+            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |b, s| (b.0.min(s.2), b.1.max(s.2)));
+        let size = if samples.is_empty() { DVec2::ZERO } else { high - low };
+        let cell = reach.max(SAMPLE).max(size.max_element() / MOST_CELLS);
+        let columns = (size.x / cell) as usize + 1;
+        let rows = (size.y / cell) as usize + 1;
+        let lengths = curves
+            .iter()
+            .map(|c| c.as_ref().map_or((0.0, false), |c| (c.length(), c.is_closed())))
+            .collect();
+        let origin = if samples.is_empty() { DVec2::ZERO } else { low };
+        let begins = vec![0; columns * rows + 1];
+        let mut walls = Self { cell, origin, columns, rows, lengths, samples, begins };
+        walls.sort();
+        walls
     }
 
-    fn key(p: DVec2, cell: f64) -> (i32, i32) {
-        ((p.x / cell).floor() as i32, (p.y / cell).floor() as i32)
+    /// Brings the samples into the order of their cells (counting sort).
+    fn sort(&mut self) {
+        let cells: Vec<usize> = self.samples.iter().map(|s| self.cell_of(s.2)).collect();
+        for &cell in &cells {
+            self.begins[cell + 1] += 1;
+        }
+        for i in 1..self.begins.len() {
+            self.begins[i] += self.begins[i - 1];
+        }
+        let mut next = self.begins.clone();
+        let mut sorted = self.samples.clone();
+        for (sample, cell) in self.samples.iter().zip(cells) {
+            sorted[next[cell] as usize] = *sample;
+            next[cell] += 1;
+        }
+        self.samples = sorted;
+    }
+
+    fn place(&self, p: DVec2) -> (usize, usize) {
+        let at = ((p - self.origin) / self.cell).max(DVec2::ZERO);
+        ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1))
+    }
+
+    fn cell_of(&self, p: DVec2) -> usize {
+        let (column, row) = self.place(p);
+        row * self.columns + column
     }
 
     /// Distance from `place`, at arc length `s` of contour `wall`, to the nearest other wall: another
@@ -54,10 +81,14 @@ impl Walls {
     /// beyond `reach` come back as infinity.
     #[must_use]
     pub fn gap(&self, wall: usize, s: f64, place: DVec2, reach: f64) -> f64 {
-        let (x, y) = Self::key(place, self.cell);
+        let (column, row) = self.place(place);
+        let columns = column.saturating_sub(1)..(column + 2).min(self.columns);
         let mut nearest = f64::INFINITY;
-        for key in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (x + dx, y + dy))) {
-            for &(other, at, p) in self.cells.get(&key).into_iter().flatten() {
+        for row in row.saturating_sub(1)..(row + 2).min(self.rows) {
+            // The cells of one row lie side by side in memory.
+            let begin = self.begins[row * self.columns + columns.start] as usize;
+            let end = self.begins[row * self.columns + columns.end] as usize;
+            for &(other, at, p) in &self.samples[begin..end] {
                 let distance = p.distance(place);
                 if distance < reach.min(nearest)
                     && (other as usize != wall || self.apart(wall, s, at) > 2.5 * reach)
@@ -80,4 +111,17 @@ impl Walls {
             ahead
         }
     }
+}
+
+fn samples(curves: &[Option<Curve>]) -> Vec<Sample> {
+    let mut samples = Vec::new();
+    for (i, curve) in (0..).zip(curves) {
+        let Some(curve) = curve else { continue };
+        let count = (curve.length() / SAMPLE).ceil().max(1.0) as usize;
+        samples.extend((0..count).map(|step| {
+            let s = curve.length() * step as f64 / count as f64;
+            (i, s, curve.position(s))
+        }));
+    }
+    samples
 }
