@@ -336,6 +336,7 @@ class _WireParams(TypedDict):
     pattern: str
     placement: str
     caps: bool
+    supports: bool
     cap_spacing_mm: float
     span_limit_mm: float
     free_end_limit_mm: float

@@ -53,6 +53,7 @@ def wireframe(mesh: Mesh, settings: Settings) -> Wireframe:
             "pattern": wire.pattern,
             "placement": wire.placement,
             "caps": wire.caps,
+            "supports": wire.supports == "wire",
             "cap_spacing_mm": wire.cap_spacing_mm,
             "span_limit_mm": wire.span_limit_mm,
             "free_end_limit_mm": wire.free_end_limit_mm,

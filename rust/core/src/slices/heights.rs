@@ -24,6 +24,8 @@ pub struct HeightParams {
     pub first_layer: f64,
     /// Diameter of a strand.
     pub strand: f64,
+    /// Longest stroke that ends in the air.
+    pub free_end: f64,
     /// Mean deviation that doubles a slab's cost.
     pub deviation_target: f64,
     /// Printing speed, mm/s.
@@ -53,6 +55,10 @@ const SKIP_FINE: f64 = 20.0;
 const LARGEST: f64 = 4.0;
 /// Fine, in seconds, for each post that a contour lacks to stand on three.
 const WOBBLE_FINE: f64 = 4.0;
+/// Walls that lean more than this part of the longest free end are fined …
+const LEAN: f64 = 0.75;
+/// … by so many seconds per mm².
+const LEAN_FINE: f64 = 0.2;
 /// Fine, in seconds, for a slab lower than the least height (only where nothing else fits).
 const LOW_FINE: f64 = 1e4;
 /// Slabs lower than this part of the least height are never made.
@@ -217,13 +223,15 @@ impl Costs<'_> {
         let turning = 0.5 * (lower.turning + upper.turning);
         // A chord of length s on curvature κ strays by κ·s²/12 in the mean.
         let sag = if length > 0.0 { spacing * spacing * turning / (12.0 * length) } else { 0.0 };
-        let deviation = (self.profile.deviation(from, to) + sag) / p.deviation_target;
+        let (stray, leaning) = self.profile.deviation(from, to, LEAN * p.free_end);
+        let deviation = (stray + sag) / p.deviation_target;
         let low =
             if height < p.slab_min - 1e-9 { LOW_FINE * (1.0 - height / p.slab_min) } else { 0.0 };
         let even = 1e-3 * height * height;
         time * (1.0 + deviation * deviation)
             + self.skipped(from, to)
             + WOBBLE_FINE * 0.5 * (wobble(lower, spacing) + wobble(upper, spacing))
+            + LEAN_FINE * leaning
             + low
             + even
     }

@@ -11,14 +11,18 @@ use crate::mesh::Mesh;
 /// Number of directions told apart.
 const DIRECTIONS: usize = 16;
 /// Slopes (mm outwards per mm upwards) beyond this count as this: a flat face is no wall.
-const STEEPEST: f64 = 8.0;
+const STEEPEST: f64 = 20.0;
 /// Faces a task, fixed so that sums do not depend on the number of threads.
 const CHUNK: usize = 1 << 16;
 
-/// Area and mean slope of one direction in one layer (while summing, area times slope).
+/// The faces of one direction in one layer.
 #[derive(Debug, Clone, Copy, Default)]
 struct Cell {
+    /// Area, mm².
     area: f64,
+    /// Area as seen from the side, mm².
+    upright: f64,
+    /// Mean slope by upright area; while summing, slope times upright area.
     slope: f64,
 }
 
@@ -54,11 +58,12 @@ impl Profile {
         for part in parts {
             for (sum, cell) in profile.cells.iter_mut().zip(part) {
                 sum.area += cell.area;
+                sum.upright += cell.upright;
                 sum.slope += cell.slope;
             }
         }
-        for cell in profile.cells.iter_mut().filter(|c| c.area > 0.0) {
-            cell.slope /= cell.area;
+        for cell in profile.cells.iter_mut().filter(|c| c.upright > 0.0) {
+            cell.slope /= cell.upright;
         }
         profile
     }
@@ -76,12 +81,13 @@ impl Profile {
         let low = a.z.min(b.z).min(c.z);
         let high = a.z.max(b.z).max(c.z);
         let (first, last) = (self.layer(low), self.layer(high));
-        // The face's upright extent (area seen from the side), spread evenly over its layers.
-        let share = across / (last - first + 1) as f64;
+        // The face, spread evenly over its layers.
+        let share = 1.0 / (last - first + 1) as f64;
         for layer in first..=last {
             let cell = &mut cells[layer * DIRECTIONS + direction];
-            cell.area += share;
-            cell.slope += share * slope;
+            cell.area += share * normal.length();
+            cell.upright += share * across;
+            cell.slope += share * across * slope;
         }
     }
 
@@ -89,24 +95,23 @@ impl Profile {
         (((z - self.bottom) / self.step).max(0.0) as usize).min(self.layers - 1)
     }
 
-    /// Mean distance, mm, between the surface and the ruled strip from height `from` to `to`.
+    /// Mean distance, mm, between the surface and the ruled strip from height `from` to `to`, and
+    /// the area, mm², of the directions in which the strip leans more than `longest` mm.
     #[must_use]
-    pub fn deviation(&self, from: f64, to: f64) -> f64 {
+    pub fn deviation(&self, from: f64, to: f64, longest: f64) -> (f64, f64) {
         let (first, last) = (self.layer(from + 0.5 * self.step), self.layer(to - 0.5 * self.step));
-        if last <= first {
-            return 0.0;
-        }
-        let (mut sum, mut area) = (0.0, 0.0);
+        let (mut sum, mut area, mut leaning) = (0.0, 0.0, 0.0);
         for direction in 0..DIRECTIONS {
-            let (s, a) = self.direction_deviation(direction, first, last);
+            let (s, a, lean) = self.direction_deviation(direction, first, last.max(first));
             sum += s;
             area += a;
+            leaning += if lean.abs() > longest { a } else { 0.0 };
         }
-        if area > 0.0 { sum / area } else { 0.0 }
+        (if area > 0.0 { sum / area } else { 0.0 }, leaning)
     }
 
-    /// Area-weighted deviation and area of one direction between two layers.
-    fn direction_deviation(&self, direction: usize, first: usize, last: usize) -> (f64, f64) {
+    /// Deviation times area, area, and lean of one direction between two layers.
+    fn direction_deviation(&self, direction: usize, first: usize, last: usize) -> (f64, f64, f64) {
         let cell = |layer: usize| self.cells[layer * DIRECTIONS + direction];
         let total: f64 = (first..=last).map(|l| cell(l).slope).sum();
         let mean = total / (last - first + 1) as f64;
@@ -119,6 +124,6 @@ impl Profile {
             area += c.area;
             reach += stray;
         }
-        (sum, area)
+        (sum, area, total * self.step)
     }
 }

@@ -84,8 +84,11 @@ impl<'a> Builder<'a> {
             let bare = base.distance(peak) < CONTACT * self.strand;
             if let Some(last) = standing.last().filter(|_| step.linked) {
                 let from = last.peak;
-                let contact = bare && last.base.distance(from) < CONTACT * self.strand;
-                if !contact && from.distance(base) <= longest && !self.is_hit(from, base) {
+                let reach = last.base.distance(from);
+                let contact = bare && reach < CONTACT * self.strand;
+                // Nothing holds the peak yet: the whole way down from the last base hangs.
+                let hangs = reach + from.distance(base);
+                if !contact && hangs <= longest && !self.is_hit(from, base) {
                     self.stroke(from, base, down, false);
                 }
             }
@@ -108,12 +111,13 @@ impl<'a> Builder<'a> {
         z: f64,
         tolerance: f64,
     ) -> Rim {
+        let closed = curve.is_closed();
         let mut points = ring_points(curve, start, posts, z, tolerance);
         self.polyline(&points, Kind::Contour);
-        if curve.is_closed() && points.len() > 1 {
+        if closed && points.len() > 1 {
             points.pop();
         }
-        Rim { points, closed: curve.is_closed() }
+        Rim { points, closed, printed: true }
     }
 }
 
@@ -126,11 +130,13 @@ fn ring_points(curve: &Curve, start: f64, posts: &[Post], z: f64, tolerance: f64
         stops.insert(0, last - length);
         stops.push(last);
     } else {
-        stops.insert(0, 0.0);
-        stops.push(length);
-        stops.dedup_by(|later, kept| *later - *kept < 1e-6);
+        // Beyond its first and last post an open contour would end in the air.
+        if posts.is_empty() {
+            stops = vec![0.0, length];
+        }
     }
-    let mut points = vec![curve.position(start + stops[0]).extend(z)];
+    let Some(&first) = stops.first() else { return Vec::new() };
+    let mut points = vec![curve.position(start + first).extend(z)];
     for pair in stops.windows(2) {
         let arc = pair[1] - pair[0];
         let inner = between(curve, start + pair[0], arc, tolerance);

@@ -195,9 +195,8 @@ impl Curve {
         let t = (place - self.at[i]) / (self.at[i + 1] - self.at[i]).max(f64::MIN_POSITIVE);
         let position = self.points[i].lerp(self.points[i + 1], t.clamp(0.0, 1.0));
         let all = self.moments[self.moments.len() - 1];
-        let moments = self.moments[i]
-            .plus(Moments::of_segment(self.points[i], position), 1.0)
-            .plus(all, lap);
+        let moments =
+            self.moments[i].plus(Moments::of_segment(self.points[i], position), 1.0).plus(all, lap);
         Station { s, position, moments }
     }
 
@@ -309,9 +308,8 @@ mod tests {
     #[test]
     fn the_chord_error_is_the_integral_of_the_squared_distance() {
         let curve = square();
-        let error = |from: f64, arc: f64| {
-            curve.station(from, 0.0).chord_error(&curve.station(from, arc))
-        };
+        let error =
+            |from: f64, arc: f64| curve.station(from, 0.0).chord_error(&curve.station(from, arc));
         assert!(error(1.0, 8.0).abs() < 1e-9);
         // From (5, 0) round the corner to (10, 5): the distance rises to 5/√2 and falls again.
         let expected = 2.0 * 5.0 * (5.0 / 2.0_f64.sqrt()).powi(2) / 3.0;

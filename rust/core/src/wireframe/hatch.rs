@@ -40,12 +40,46 @@ pub fn hatch(rims: &[Vec<DVec2>], spacing: f64, longest: f64) -> (Vec<Vec<DVec2>
     (join(rows, along, 2.0 * spacing), dropped)
 }
 
+/// Lines from rim to rim, `spacing` mm apart, across the place of a figure within the rims. None
+/// where in no direction all of them, two at least, are within `longest` mm.
+#[must_use]
+pub fn bridges(
+    rims: &[Vec<DVec2>],
+    figure: &[DVec2],
+    spacing: f64,
+    longest: f64,
+) -> Option<Vec<[DVec2; 2]>> {
+    let mut best: Option<(f64, Row)> = None;
+    for i in 0..DIRECTIONS {
+        let along = DVec2::from_angle(std::f64::consts::PI * i as f64 / DIRECTIONS as f64);
+        let across = along.perp();
+        let (low, high) = extent(figure.iter().map(|p| p.dot(across)));
+        let (left, right) = extent(figure.iter().map(|p| p.dot(along)));
+        let count = (((high - low) / spacing).ceil() as usize).max(2);
+        let row = |k: usize| {
+            let level = low + (high - low) * (k as f64 + 0.5) / count as f64;
+            lines(rims, along, level)
+                .into_iter()
+                .find(|l| l[0].dot(along) < right && l[1].dot(along) > left)
+        };
+        let Some(found) = (0..count).map(row).collect::<Option<Row>>() else { continue };
+        let span = found.iter().map(|l| l[0].distance(l[1])).fold(0.0, f64::max);
+        if span <= longest && best.as_ref().is_none_or(|b| span < b.0 - 1e-6) {
+            best = Some((span, found));
+        }
+    }
+    best.map(|(_, lines)| lines)
+}
+
+/// Least and greatest of some numbers.
+fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |m, v| (m.0.min(v), m.1.max(v)))
+}
+
 /// The lines of each row, from left to right along the direction.
 fn rows(rims: &[Vec<DVec2>], along: DVec2, spacing: f64) -> Vec<Row> {
     let across = along.perp();
-    let heights = rims.iter().flatten().map(|p| p.dot(across));
-    let (low, high) =
-        heights.fold((f64::INFINITY, f64::NEG_INFINITY), |m, h| (m.0.min(h), m.1.max(h)));
+    let (low, high) = extent(rims.iter().flatten().map(|p| p.dot(across)));
     if high.partial_cmp(&low) != Some(std::cmp::Ordering::Greater) {
         return Vec::new();
     }
@@ -54,15 +88,21 @@ fn rows(rims: &[Vec<DVec2>], along: DVec2, spacing: f64) -> Vec<Row> {
     let pitch = (high - low) / (count + 1.0);
     (1..=count as usize)
         .map(|i| {
-            let level = low + pitch * i as f64;
-            let mut hits: Vec<f64> =
-                rims.iter().flat_map(|rim| crossings(rim, along, across, level)).collect();
-            hits.sort_by(f64::total_cmp);
-            hits.chunks_exact(2)
-                .filter(|x| x[1] - x[0] > 0.25 * spacing)
-                .map(|x| [along * x[0] + across * level, along * x[1] + across * level])
-                .collect()
+            let mut row = lines(rims, along, low + pitch * i as f64);
+            row.retain(|l| l[0].distance(l[1]) > 0.25 * spacing);
+            row
         })
+        .collect()
+}
+
+/// The parts within an odd number of rims of the line at distance `level` from the origin.
+fn lines(rims: &[Vec<DVec2>], along: DVec2, level: f64) -> Row {
+    let across = along.perp();
+    let mut hits: Vec<f64> =
+        rims.iter().flat_map(|rim| crossings(rim, along, across, level)).collect();
+    hits.sort_by(f64::total_cmp);
+    hits.chunks_exact(2)
+        .map(|x| [along * x[0] + across * level, along * x[1] + across * level])
         .collect()
 }
 

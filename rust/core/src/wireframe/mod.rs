@@ -3,9 +3,12 @@
 mod build;
 mod builder;
 pub mod curve;
+mod hang;
 mod hatch;
+mod level;
 pub mod posts;
 pub mod rim;
+mod slab;
 mod sliced;
 pub mod strips;
 mod walls;
@@ -90,6 +93,8 @@ pub struct WireParams {
     pub placement: Placement,
     /// Whether flat faces are closed.
     pub caps: bool,
+    /// Whether what begins in the air is supported.
+    pub supports: bool,
     /// Distance between the strands of a cap.
     pub cap_spacing: f64,
     /// Longest stretch between two supports.

@@ -140,7 +140,13 @@ pub fn reachable(head: &Head, from: &Post, to: &Post) -> bool {
 ///
 /// A chain of one post is returned where no second one fits, none where there is no candidate.
 #[must_use]
-pub fn place(curve: &Curve, start: f64, all: &[Candidate], head: &Head, p: &PostParams) -> Vec<Post> {
+pub fn place(
+    curve: &Curve,
+    start: f64,
+    all: &[Candidate],
+    head: &Head,
+    p: &PostParams,
+) -> Vec<Post> {
     let Some(first) = all.first() else { return Vec::new() };
     let stations = all.iter().map(|c| curve.station(start, c.post.s)).collect();
     let end = curve.station(start, curve.length());

@@ -9,6 +9,8 @@ pub struct Rim {
     pub points: Vec<DVec3>,
     /// Whether the last vertex joins the first.
     pub closed: bool,
+    /// Whether strands join the vertices; a chain of bare peaks has none.
+    pub printed: bool,
 }
 
 /// A place on a rim.

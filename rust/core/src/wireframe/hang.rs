@@ -1,0 +1,149 @@
+//! Support in the plane, for contours that no wall of their own carries: strokes from printed
+//! neighbours, and bridges from rim to rim. Horizontal strands never meet the head's flank.
+
+use glam::DVec2;
+
+use super::Kind;
+use super::build::{Build, Ground, Standing};
+use super::curve::Curve;
+use super::hatch::bridges;
+use super::posts::{Post, even_spacing};
+use super::rim::Rim;
+use super::slab::gaps;
+use super::walls::Walls;
+use super::zigzag::{Placement, ZigzagInput, zigzag};
+
+/// Ties stand this part of the distance between a cap's strands apart at least.
+const TIE: f64 = 0.8;
+
+impl Build<'_> {
+    /// Hangs a contour on what is printed around it at its height. One that lies `inside` another
+    /// becomes part of the surface's caps; one beside the others is supported.
+    pub(super) fn hang(
+        &mut self,
+        curve: &Curve,
+        z: f64,
+        inside: bool,
+        printed: &mut Ground,
+    ) -> Option<Rim> {
+        if !inside && !self.p.supports {
+            return None;
+        }
+        let kind = if inside { Kind::Cap } else { Kind::Support };
+        let neighbours = printed.all();
+        let standing = match self.spokes(curve, z, &neighbours, kind, |_| true) {
+            Some(standing) => standing,
+            None if !self.p.supports => return None,
+            None => {
+                let lines = self.bridge(curve, z, printed)?;
+                let carriers: Vec<&Rim> = lines.iter().collect();
+                let standing = self.spokes(curve, z, &carriers, Kind::Support, |_| true);
+                printed.lines.extend(lines);
+                standing?
+            }
+        };
+        let standing = self.tighten(curve, z, standing, printed);
+        Some(self.follow(curve, &standing, z))
+    }
+
+    /// A flat zigzag from printed rims out (or in) to the wanted places of a contour.
+    pub(super) fn spokes(
+        &mut self,
+        curve: &Curve,
+        z: f64,
+        carriers: &[&Rim],
+        kind: Kind,
+        wanted: impl Fn(&Post) -> bool,
+    ) -> Option<Standing> {
+        if carriers.is_empty() {
+            return None;
+        }
+        let walls = Walls::new(&[], 1.0);
+        let start = self.start(curve, carriers);
+        let input = ZigzagInput {
+            curve,
+            z,
+            start,
+            rims: carriers,
+            walls: &walls,
+            wall: 0,
+            least: even_spacing(curve.length(), TIE * self.p.cap_spacing),
+            on_peaks: false,
+            placement: Placement::Optimal,
+            strand: self.p.strand,
+            span_limit: self.p.span_limit,
+        };
+        let limit = self.p.free_end_limit;
+        let shift = |post: &Post| Post { s: curve.wrap(start + post.s), ..*post };
+        let (start, steps) = zigzag(&input, self.head, |post| {
+            post.base.distance(post.peak) <= limit && wanted(&shift(post))
+        });
+        let posts = self.out.zigzag(&steps, kind, kind, self.p.span_limit);
+        (!posts.is_empty()).then_some(Standing { contour: 0, start, posts })
+    }
+
+    /// Adds ties where a contour's posts leave wide gaps.
+    pub(super) fn tighten(
+        &mut self,
+        curve: &Curve,
+        z: f64,
+        standing: Standing,
+        printed: &Ground,
+    ) -> Standing {
+        let wide = 2.0 * self.p.cap_spacing;
+        let wide_gaps: Vec<(f64, f64)> =
+            gaps(curve, &standing.posts).filter(|&(_, gap)| gap > wide).collect();
+        if wide_gaps.is_empty() {
+            return standing;
+        }
+        let from_start = |s: f64| curve.forward(standing.start, s);
+        let margin = TIE * self.p.cap_spacing;
+        let wanted = |post: &Post| {
+            let s = from_start(post.s);
+            wide_gaps.iter().any(|&(begin, gap)| {
+                let into = if curve.is_closed() {
+                    (s - begin).rem_euclid(curve.length())
+                } else {
+                    s - begin
+                };
+                into > margin && into < gap - margin
+            })
+        };
+        let neighbours = printed.all();
+        let Some(ties) = self.spokes(curve, z, &neighbours, Kind::Cap, wanted) else {
+            return standing;
+        };
+        let start = standing.start;
+        let moved = ties
+            .posts
+            .iter()
+            .map(|post| Post { s: curve.forward(start, curve.wrap(ties.start + post.s)), ..*post });
+        let mut posts: Vec<Post> = standing.posts.iter().copied().chain(moved).collect();
+        posts.sort_by(|a, b| a.s.total_cmp(&b.s));
+        Standing { contour: standing.contour, start, posts }
+    }
+
+    /// Bridges from rim to rim across the place of a contour.
+    fn bridge(&mut self, curve: &Curve, z: f64, printed: &Ground) -> Option<Vec<Rim>> {
+        let plan: Vec<Vec<DVec2>> = printed
+            .rims
+            .iter()
+            .flatten()
+            .filter(|rim| rim.closed && rim.printed)
+            .map(|rim| rim.points.iter().map(|p| p.truncate()).collect())
+            .collect();
+        let lines = bridges(&plan, curve.points(), self.p.cap_spacing, self.p.span_limit)?;
+        let rims: Vec<Rim> = lines
+            .into_iter()
+            .map(|line| Rim {
+                points: line.map(|p| p.extend(z)).to_vec(),
+                closed: false,
+                printed: true,
+            })
+            .collect();
+        for rim in &rims {
+            self.out.polyline(&rim.points, Kind::Support);
+        }
+        Some(rims)
+    }
+}

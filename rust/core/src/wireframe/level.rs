@@ -1,0 +1,174 @@
+//! One level: from the contours that end a slab to those that begin the next, and the faces
+//! that are closed there.
+
+use glam::DVec2;
+
+use super::build::{Build, Ground};
+use super::curve::Curve;
+use super::hatch::hatch;
+use super::rim::{Rim, nearest_of};
+use super::strips::Strip;
+use super::{Kind, Reason};
+use crate::contours::{Contour, polygon};
+
+/// A contour printed on top of another lies higher by this part of the strand's diameter.
+const LIFT: f64 = 0.4;
+
+impl Build<'_> {
+    /// From the contours that end a slab to those that begin the next: the same rim where they
+    /// are the same curve; where they are not (a split, a merge, a step), printed on top.
+    pub(super) fn transition(&mut self, level: usize, mut printed: Ground) -> Ground {
+        let Some(ledges) = &self.sliced.ledges[level] else { return printed };
+        let contours = &self.sliced.upper[level];
+        let z = self.sliced.levels[level].z;
+        let mut ground = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
+        for ledge in ledges.iter().filter(|l| l.upper.is_empty()) {
+            self.close(level, &self.sliced.lower[level], ledge, &ledge.lower, &mut printed);
+        }
+        // What is held goes first, for what begins in the air hangs on it.
+        let held = ledges.iter().filter(|l| !l.lower.is_empty() && !l.upper.is_empty());
+        let born = ledges.iter().filter(|l| l.lower.is_empty());
+        for ledge in held.chain(born) {
+            for &u in &ledge.upper {
+                let contour = &contours[u as usize];
+                let Some(curve) = Curve::new(&contour.points, contour.closed) else { continue };
+                let rim = self.on_top(&curve, z, contour.depth > 0, ledge, &mut printed);
+                match &rim {
+                    Some(rim) => printed.lines.push(rim.clone()),
+                    None => self.leave_out(z, z, ledge.area, curve.position(0.0), Reason::MidAir),
+                }
+                ground.rims[u as usize] = rim;
+            }
+            if ledge.lower.is_empty() {
+                self.close(level, contours, ledge, &ledge.upper, &mut ground);
+            } else {
+                self.fill_ledge(level, ledge, &mut printed, &ground);
+            }
+        }
+        ground.lines.append(&mut printed.lines);
+        ground
+    }
+
+    /// One upper contour of a ledge: on the rims that the ledge touches or, if it begins in the
+    /// air, beside the rims around it.
+    fn on_top(
+        &mut self,
+        curve: &Curve,
+        z: f64,
+        inside: bool,
+        ledge: &Strip,
+        printed: &mut Ground,
+    ) -> Option<Rim> {
+        let carriers: Vec<Rim> =
+            ledge.lower.iter().filter_map(|&i| printed.rims[i as usize].clone()).collect();
+        let carriers: Vec<&Rim> = carriers.iter().collect();
+        if let ([rim], [_], [_]) = (&carriers[..], &ledge.lower[..], &ledge.upper[..])
+            && follows(curve, rim, self.p.strand)
+        {
+            return Some((*rim).clone());
+        }
+        if ledge.lower.is_empty() {
+            return self.hang(curve, z, inside, printed);
+        }
+        let lifted = z + LIFT * self.p.strand;
+        let standing = self.spokes(curve, lifted, &carriers, Kind::Cap, |_| true)?;
+        let standing = self.tighten(curve, lifted, standing, printed);
+        Some(self.follow(curve, &standing, lifted))
+    }
+
+    /// Closes what ends at the foot of this slab.
+    pub(super) fn roofs_of_slab(&mut self, slab: usize, ground: &mut Ground) {
+        for strip in self.sliced.strips[slab].iter().filter(|s| s.upper.is_empty()) {
+            self.close(slab, &self.sliced.upper[slab], strip, &strip.lower, ground);
+        }
+    }
+
+    /// Closes the region within an odd number of a piece's contours, as they were printed, where
+    /// the piece does close them.
+    pub(super) fn close(
+        &mut self,
+        level: usize,
+        contours: &[Contour],
+        piece: &Strip,
+        which: &[u32],
+        ground: &mut Ground,
+    ) {
+        let all_printed = which.iter().all(|&i| ground.rims[i as usize].is_some());
+        if !self.p.caps || !all_printed || !piece.closes(contours, which) {
+            return;
+        }
+        let rings: Vec<&Rim> =
+            which.iter().filter_map(|&i| ground.rims[i as usize].as_ref()).collect();
+        let lines = self.fill(&rings, level == 0);
+        ground.lines.extend(lines);
+    }
+
+    /// Closes a ledge so wide that the strokes between its two sides leave it open.
+    fn fill_ledge(&mut self, level: usize, ledge: &Strip, printed: &mut Ground, ground: &Ground) {
+        let length: f64 = ledge
+            .upper
+            .iter()
+            .map(|&i| &self.sliced.upper[level][i as usize])
+            .map(|c| polygon::length(&c.points, c.closed))
+            .sum();
+        if !self.p.caps || ledge.area < 2.0 * self.p.cap_spacing * length {
+            return;
+        }
+        let below = ledge.lower.iter().map(|&i| &printed.rims[i as usize]);
+        let above = ledge.upper.iter().map(|&i| &ground.rims[i as usize]);
+        let Some(rings) = below.chain(above).map(Option::as_ref).collect::<Option<Vec<&Rim>>>()
+        else {
+            return;
+        };
+        let lines = self.fill(&rings, false);
+        printed.lines.extend(lines);
+    }
+
+    /// Prints strands from rim to rim in the region within an odd number of rims.
+    fn fill(&mut self, rings: &[&Rim], on_bed: bool) -> Vec<Rim> {
+        let rings: Vec<&&Rim> =
+            rings.iter().filter(|rim| rim.closed && rim.points.len() > 2).collect();
+        let Some(first) = rings.first().map(|rim| rim.points[0]) else { return Vec::new() };
+        let plan: Vec<Vec<DVec2>> =
+            rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
+        let longest = if on_bed { f64::INFINITY } else { self.p.span_limit };
+        let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest);
+        let rims: Vec<Rim> = lines
+            .into_iter()
+            .map(|line| Rim {
+                points: line.into_iter().map(|p| p.extend(first.z)).collect(),
+                closed: false,
+                printed: true,
+            })
+            .collect();
+        for rim in &rims {
+            self.out.polyline(&rim.points, Kind::Cap);
+        }
+        if dropped > 0.0 {
+            let area = dropped * self.p.cap_spacing;
+            self.leave_out(first.z, first.z, area, first.truncate(), Reason::WideRoof);
+        }
+        rims
+    }
+
+    /// Notes a strip that cannot be printed.
+    pub(super) fn give_up(&mut self, slab: usize, strip: usize, reason: Reason) {
+        let piece = &self.sliced.strips[slab][strip];
+        let (low, high) = (self.sliced.levels[slab].z, self.sliced.levels[slab + 1].z);
+        let start = |contours: &[Contour], which: &[u32]| {
+            which.first().and_then(|&i| contours[i as usize].points.first().copied())
+        };
+        let place = start(&self.sliced.lower[slab + 1], &piece.upper)
+            .or_else(|| start(&self.sliced.upper[slab], &piece.lower));
+        self.leave_out(low, high, piece.area, place.unwrap_or_default(), reason);
+    }
+}
+
+/// Whether a printed rim lies under the whole contour.
+fn follows(curve: &Curve, rim: &Rim, strand: f64) -> bool {
+    let count = (curve.length() / strand).ceil().max(4.0) as usize;
+    (0..count).all(|i| {
+        let place = curve.position(curve.length() * i as f64 / count as f64);
+        nearest_of(&[rim], place).is_some_and(|f| f.distance < strand)
+    })
+}
