@@ -1,5 +1,7 @@
 //! The cut and the nesting, on solids whose sections are known.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 mod solids;
 
 use glam::{DMat3, DVec2, DVec3};
@@ -144,6 +146,20 @@ fn planes_in_any_order_and_repeated_give_the_same_slices() {
         let alone = cut(&mesh, &[*one]).remove(0);
         assert_eq!(format!("{alone:?}"), format!("{loops:?}"));
     }
+}
+
+#[test]
+fn one_thread_and_many_give_the_same_slices() {
+    let mut random = Random(9);
+    let mesh =
+        together(&[sphere(40), moved(&torus(1.0, 0.4, 60, 30), random.rotation(), DVec3::X)]);
+    let planes = all_planes(&mesh, 100, &mut random);
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        format!("{:?}", pool.install(|| sliced(&mesh, &planes, 0.0)))
+    };
+    let alone = with(1);
+    assert!((2..6).all(|threads| with(threads) == alone));
 }
 
 #[test]

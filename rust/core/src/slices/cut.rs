@@ -14,6 +14,10 @@ use super::ranks::Ladder;
 use super::{Loop, Plane};
 use crate::mesh::{Mesh, NO_FACE};
 
+/// The corner, or edge, after each one of a triangle.
+const NEXT: [usize; 3] = [1, 2, 0];
+/// The corner, or edge, before each one of a triangle.
+const LAST: [usize; 3] = [2, 0, 1];
 /// Planes in a band: the bits of a face's mask.
 const BAND: usize = 32;
 /// Bands per thread, so that uneven ones still fill all threads.
@@ -42,7 +46,7 @@ where
     let ladder = Ladder::new(planes);
     let ranks = ladder.ranks(&mesh.vertices);
     let wanted = ladder.planes.len().div_ceil(BANDS_PER_THREAD * rayon::current_num_threads());
-    let width = wanted.clamp(1, BAND);
+    let width = wanted.next_power_of_two().clamp(1, BAND);
     let lists = faces_by_band(mesh, &ranks, width, ladder.planes.len().div_ceil(width));
     let masks = Masks::new(mesh.faces.len());
     let bands: Vec<Vec<T>> = ladder
@@ -80,8 +84,10 @@ fn spread<T: Clone>(distinct: Vec<T>, position: &[u32]) -> Vec<T> {
     position.iter().filter_map(|&p| take(p as usize)).collect()
 }
 
-/// For each task's share of the faces, the faces of each band, ascending.
+/// For each task's share of the faces, the faces of each band, ascending. The bands' width, in
+/// planes, is a power of two.
 fn faces_by_band(mesh: &Mesh, ranks: &[u32], width: usize, bands: usize) -> Vec<Vec<Vec<u32>>> {
+    let shift = width.trailing_zeros();
     mesh.faces
         .par_chunks(FACES_PER_TASK)
         .enumerate()
@@ -90,7 +96,7 @@ fn faces_by_band(mesh: &Mesh, ranks: &[u32], width: usize, bands: usize) -> Vec<
             for (face, corners) in (chunk * FACES_PER_TASK..).zip(faces) {
                 let (low, high) = span(corners, ranks);
                 if low < high {
-                    let (first, last) = (low as usize / width, (high as usize - 1) / width);
+                    let (first, last) = ((low >> shift) as usize, ((high - 1) >> shift) as usize);
                     lists[first..=last].iter_mut().for_each(|list| list.push(face as u32));
                 }
             }
@@ -140,6 +146,14 @@ struct Band<'a> {
 struct Crossing {
     above: u32,
     below: u32,
+}
+
+impl Crossing {
+    /// Index of the corner that the edge does not touch.
+    fn opposite(self, corners: &[u32; 3]) -> usize {
+        let apart = |corner: u32| usize::from(corner != self.above && corner != self.below);
+        (apart(corners[1]) + 2 * apart(corners[2])).min(2)
+    }
 }
 
 impl Band<'_> {
@@ -216,20 +230,19 @@ impl Band<'_> {
     }
 
     /// The edge by which the plane leaves a face entered by `entry`, and the face beyond it.
+    ///
+    /// Nothing here can be predicted from step to step, so it is written without branches.
     fn pass(&self, face: u32, entry: Crossing, plane: u32) -> (Crossing, u32) {
         let corners = &self.mesh.faces[face as usize];
-        let apex = corners.iter().position(|&v| v != entry.above && v != entry.below).unwrap_or(0);
+        let apex = entry.opposite(corners);
         let third = corners[apex];
-        let exit = if self.ranks[third as usize] > self.base + plane {
-            Crossing { above: third, below: entry.below }
-        } else {
-            Crossing { above: entry.above, below: third }
-        };
-        let following = corners[(apex + 1) % 3];
+        let is_above = self.ranks[third as usize] > self.base + plane;
+        let kept = if is_above { entry.below } else { entry.above };
+        let above = if is_above { third } else { entry.above };
+        let below = if is_above { entry.below } else { third };
         // The edge from the apex to the next corner, or the one from the last corner to the apex.
-        let kept = if exit.above == third { exit.below } else { exit.above };
-        let side = if following == kept { apex } else { (apex + 2) % 3 };
-        (exit, self.mesh.neighbours[face as usize][side])
+        let side = if corners[NEXT[apex]] == kept { apex } else { LAST[apex] };
+        (Crossing { above, below }, self.mesh.neighbours[face as usize][side])
     }
 
     /// Entry, exit and next face for a loop's first face, with the solid on the left: the plane
@@ -245,9 +258,8 @@ impl Band<'_> {
 
     /// The face beyond an edge of `face`.
     fn across(&self, face: u32, edge: Crossing) -> u32 {
-        let corners = &self.mesh.faces[face as usize];
-        let apex = corners.iter().position(|&v| v != edge.above && v != edge.below).unwrap_or(0);
-        self.mesh.neighbours[face as usize][(apex + 1) % 3]
+        let apex = edge.opposite(&self.mesh.faces[face as usize]);
+        self.mesh.neighbours[face as usize][NEXT[apex]]
     }
 
     /// Where an edge meets the plane: exact at both ends and on upright edges.
