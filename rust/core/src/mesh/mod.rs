@@ -19,7 +19,7 @@ mod stitch;
 pub mod stl;
 mod surface;
 pub mod topology;
-mod union_find;
+pub(crate) mod union_find;
 pub mod weld;
 
 use place::Placement;

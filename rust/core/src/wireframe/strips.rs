@@ -9,6 +9,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::contours::Contour;
+use crate::mesh::union_find::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// Faces per task when they are sorted into intervals.
@@ -191,8 +192,8 @@ struct Surface<'a> {
     faces: &'a [u32],
     /// For each face of the mesh, its place in `faces`, or [`NO_FACE`].
     local: &'a [u32],
-    /// Union–find over the places in `faces`; roots are the smallest of their piece.
-    roots: Vec<u32>,
+    /// Places in `faces` that belong to one piece.
+    sets: UnionFind,
 }
 
 impl<'a> Surface<'a> {
@@ -200,90 +201,67 @@ impl<'a> Surface<'a> {
         for (place, &face) in (0..).zip(faces) {
             local[face as usize] = place;
         }
-        let roots = (0..faces.len() as u32).collect();
-        let mut surface = Self { mesh, interval, faces, local, roots };
+        let surface = Self { mesh, interval, faces, local, sets: UnionFind::new(faces.len()) };
         surface.unite_neighbours();
         surface
     }
 
-    fn unite_neighbours(&mut self) {
+    fn unite_neighbours(&self) {
         for (place, &face) in (0..).zip(self.faces) {
             let z = heights(self.mesh, self.mesh.faces[face as usize]);
             for (side, &beyond) in self.mesh.neighbours[face as usize].iter().enumerate() {
                 let (a, b) = (z[side], z[(side + 1) % 3]);
                 // Each shared edge is seen from both faces; once is enough.
                 if beyond < face && self.interval.meets(a.min(b), a.max(b)) {
-                    self.unite(place, self.local[beyond as usize]);
+                    self.sets.join(place, self.local[beyond as usize]);
                 }
             }
         }
     }
 
-    fn root(&mut self, mut place: u32) -> u32 {
-        while self.roots[place as usize] != place {
-            let above = self.roots[place as usize];
-            self.roots[place as usize] = self.roots[above as usize];
-            place = above;
-        }
-        place
-    }
-
-    fn unite(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.roots[a.max(b) as usize] = a.min(b);
-    }
-
     /// Unites all pieces that a contour runs over; gives one of its places.
-    fn unite_contour(&mut self, contour: &Contour) -> Option<u32> {
+    fn unite_contour(&self, contour: &Contour) -> Option<u32> {
         let mut first = None;
         for &face in &contour.faces {
             let place = self.local[face as usize];
             if place != NO_FACE {
-                self.unite(*first.get_or_insert(place), place);
+                self.sets.join(*first.get_or_insert(place), place);
             }
         }
         first
     }
 
-    /// The pieces, by their smallest face, with their areas. From here on `roots` gives for
-    /// each place the number of its piece.
-    fn pieces(&mut self) -> Vec<Piece> {
+    /// The pieces, by their smallest face, with their areas; and the piece of each place.
+    fn pieces(&self) -> (Vec<Piece>, Vec<usize>) {
         let mut pieces: Vec<Piece> = Vec::new();
-        for (place, &face) in (0..self.faces.len()).zip(self.faces) {
-            // A root is the smallest of its piece, so it was numbered before its followers,
-            // and so was every place on the way to it.
-            let above = self.roots[place] as usize;
-            self.roots[place] = if above == place {
+        let mut numbers: Vec<usize> = Vec::with_capacity(self.faces.len());
+        for (place, &face) in self.faces.iter().enumerate() {
+            // The representative is the lowest of its piece, so it was numbered first.
+            let lowest = self.sets.find(place as u32) as usize;
+            if lowest == place {
                 pieces.push(Piece::default());
-                pieces.len() as u32 - 1
-            } else {
-                self.roots[above]
-            };
-            let corners = self.mesh.corners(face as usize);
-            let (low, high) = extent(corners.map(|corner| corner.z));
-            let piece = &mut pieces[self.roots[place] as usize];
-            let area = area_between(corners, self.interval.low, self.interval.high);
-            piece.strip.area += area;
-            piece.strip.plan += area * upward(corners);
-            piece.leaves |= self.interval.is_left_by(low, high);
+            }
+            let number = if lowest == place { pieces.len() - 1 } else { numbers[lowest] };
+            numbers.push(number);
+            pieces[number].add(self.mesh.corners(face as usize), &self.interval);
         }
-        pieces
+        (pieces, numbers)
     }
 
-    fn strips(mut self, slab: &Slab) -> Vec<Strip> {
-        let mut places = |contours: &[Contour]| -> Vec<Option<u32>> {
+    fn strips(self, slab: &Slab) -> Vec<Strip> {
+        let places = |contours: &[Contour]| -> Vec<Option<u32>> {
             contours.iter().map(|contour| self.unite_contour(contour)).collect()
         };
         let (lower, upper) = (places(slab.lower), places(slab.upper));
-        let mut pieces = self.pieces();
+        let (mut pieces, numbers) = self.pieces();
         for (index, place) in (0..).zip(lower) {
             if let Some(place) = place {
-                pieces[self.roots[place as usize] as usize].strip.lower.push(index);
+                pieces[numbers[place as usize]].strip.lower.push(index);
             }
         }
         for (index, place) in (0..).zip(upper) {
             if let Some(place) = place {
-                pieces[self.roots[place as usize] as usize].strip.upper.push(index);
+                pieces[numbers[place as usize]].strip.upper.push(index);
             }
         }
         let mut strips: Vec<Strip> = pieces
@@ -306,26 +284,29 @@ struct Piece {
 }
 
 impl Piece {
+    /// Adds the part of a triangle that lies in the interval.
+    fn add(&mut self, corners: [DVec3; 3], interval: &Interval) {
+        let [a, b, c] = corners;
+        let z = corners.map(|corner| corner.z);
+        let normal = (b - a).cross(c - a) * (share_between(z, interval.low, interval.high) / 2.0);
+        self.strip.area += normal.length();
+        self.strip.plan += normal.z;
+        let (low, high) = extent(z);
+        self.leaves |= interval.is_left_by(low, high);
+    }
+
     fn touches(&self) -> bool {
         !(self.strip.lower.is_empty() && self.strip.upper.is_empty())
     }
 }
 
-/// The upward part of a triangle's unit normal.
-fn upward([a, b, c]: [DVec3; 3]) -> f64 {
-    (b - a).cross(c - a).normalize_or_zero().z
-}
-
-/// Area of the part of a triangle between two heights, mm²; it must not be level outside them.
-fn area_between(corners: [DVec3; 3], low: f64, high: f64) -> f64 {
-    let [a, b, c] = corners;
-    let area = (b - a).cross(c - a).length() / 2.0;
-    let mut z = corners.map(|corner| corner.z);
+/// Share of a triangle's area between two heights; it must not be level outside them.
+fn share_between(mut z: [f64; 3], low: f64, high: f64) -> f64 {
     if z.iter().all(|z| (low..=high).contains(z)) {
-        return area;
+        return 1.0;
     }
     z.sort_by(f64::total_cmp);
-    area * (share_below(z, high) - share_below(z, low))
+    share_below(z, high) - share_below(z, low)
 }
 
 /// Share of a triangle's area below a height; its corners' heights ascend and are not all equal.
