@@ -1,6 +1,6 @@
 //! What a line of G-code says, before any state is applied to it.
 
-use super::number::decimal;
+use super::number::{LARGEST, decimal};
 
 /// The words of a straight move, or of `G92`; in the units of the file.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -125,7 +125,7 @@ impl Words<'_> {
             if first.is_ascii_alphabetic() {
                 let value = decimal(tail.trim_ascii_start());
                 if first.eq_ignore_ascii_case(&letter) {
-                    found = value.map(|(value, _)| value).or(found);
+                    found = value.and_then(bounded).or(found);
                 }
             }
         }
@@ -142,7 +142,12 @@ impl Words<'_> {
                 let (key, value) = word.split_at(equals);
                 key.eq_ignore_ascii_case(name).then(|| decimal(&value[1..]))?
             })
-            .map(|(value, _)| value)
+            .filter_map(bounded)
             .next_back()
     }
+}
+
+/// The value of a number as read, unless it is too large to be meant.
+fn bounded((value, _): (f64, usize)) -> Option<f64> {
+    (value.abs() <= LARGEST).then_some(value)
 }

@@ -6,6 +6,10 @@ const POWERS: [f64; 23] = [
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
+/// No word of a file may exceed this: no machine has such figures, and what is computed from them
+/// would overflow.
+pub(super) const LARGEST: f64 = 1e9;
+
 /// Digits that certainly fit a `u64`.
 const MAX_DIGITS: usize = 19;
 

@@ -1,8 +1,7 @@
 //! The one line that makes up nearly all of a file, read without looking for its end first.
 
 use super::command::{Axes, Command};
-use super::number::decimal;
-use super::reader::LARGEST;
+use super::number::{LARGEST, decimal};
 
 /// The move at the front of `text` and its length with the newline, where it is spelt as programs
 /// spell it: `G1 X144.904 Y126.960 E0.09814`. `None` leaves the line to the full parser, which

@@ -3,22 +3,19 @@
 //! Letters in any case, blanks optional, `N123` and `*77` accepted and ignored, comments after `;`
 //! and in parentheses, LF or CRLF. Where firmwares agree on an odd spelling it is read as they do:
 //! `X1E3` is `X1 E3`, the last of two equal words wins. A line that they would refuse (a word
-//! without a number, a number beyond ±10⁹) is [`Command::Garbage`], never half executed.
+//! without a number, a number beyond ±10⁹, an arc without a centre) is [`Command::Garbage`], never half executed.
 
 use std::io::Read;
 
 use memchr::{memchr, memrchr};
 
 use super::command::{Axes, Centre, Command, Plane, Words};
-use super::number::decimal;
+use super::number::{LARGEST, decimal};
 use super::plain::plain_move;
 use crate::error::Result;
 
 /// Bytes held at a time by [`stream`]; a longer line is garbage.
 const CHUNK: usize = 256 * 1024;
-
-/// No machine has a word beyond this; larger ones would overflow what is computed from them.
-pub(super) const LARGEST: f64 = 1e9;
 
 const BOM: &[u8] = b"\xef\xbb\xbf";
 
@@ -208,10 +205,7 @@ impl<'a> Cursor<'a> {
                 let (axes, centre) = self.arc()?;
                 Command::Arc { clockwise: code == 2, axes, centre }
             }
-            4 => {
-                let words = self.words();
-                Command::Dwell { p_ms: words.get(b'P'), s: words.get(b'S') }
-            }
+            4 => self.dwell()?,
             17 => Command::ArcPlane(Plane::Xy),
             18 => Command::ArcPlane(Plane::Xz),
             19 => Command::ArcPlane(Plane::Yz),
@@ -251,6 +245,7 @@ impl<'a> Cursor<'a> {
         Some(axes)
     }
 
+    /// An arc; without a centre it is none.
     fn arc(&mut self) -> Option<(Axes, Centre)> {
         let (mut axes, mut centre) = (Axes::default(), Centre::default());
         self.each_word(|letter, value| match letter {
@@ -260,7 +255,17 @@ impl<'a> Cursor<'a> {
             b'R' => centre.r = Some(value),
             _ => set_axis(&mut axes, letter, value),
         })?;
-        Some((axes, centre))
+        (centre != Centre::default()).then_some((axes, centre))
+    }
+
+    fn dwell(&mut self) -> Option<Command<'a>> {
+        let (mut p_ms, mut s) = (None, None);
+        self.each_word(|letter, value| match letter {
+            b'P' => p_ms = Some(value),
+            b'S' => s = Some(value),
+            _ => {}
+        })?;
+        Some(Command::Dwell { p_ms, s })
     }
 
     /// G28, whose axis words need no number.
