@@ -146,6 +146,16 @@ fn a_coordinate_that_is_not_finite_is_named_with_its_facet_and_byte() {
 }
 
 #[test]
+fn one_bad_chunk_does_not_spoil_the_chunks_that_follow_it() {
+    let mut bytes = binary(&torus(30.0, 10.0, 256, 128), "");
+    bytes[84 + 50 * 16000 + 12..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
+    let file = Scratch::new("spoilt.stl", &bytes);
+    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let text = single.install(|| file.refusal());
+    assert!(text.contains("facet 16001"), "{text}");
+}
+
+#[test]
 fn empty_files_are_refused_as_such() {
     assert!(Scratch::new("empty.stl", b"").refusal().contains("empty"));
     assert!(Scratch::new("none.stl", &[0; 84]).refusal().contains("no facets"));

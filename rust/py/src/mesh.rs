@@ -1,7 +1,6 @@
 //! `wireprint._core.Mesh`.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use glam::DVec3;
 use numpy::PyArray2;
@@ -24,7 +23,7 @@ pub const WELD_DISTANCE: f64 = 1e-5;
 /// A repaired triangle mesh that stands on the bed; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Mesh {
-    core: Arc<mesh::Mesh>,
+    core: mesh::Mesh,
     report: RepairReport,
 }
 
@@ -35,7 +34,7 @@ impl Mesh {
     }
 
     fn new((core, report): (mesh::Mesh, RepairReport)) -> Self {
-        Self { core: Arc::new(core), report }
+        Self { core, report }
     }
 }
 

@@ -63,11 +63,11 @@ impl Key for [u64; 3] {
 pub fn weld_facets(vertices: &[DVec3], faces: &[[u32; 3]]) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
     let chunks: Vec<_> = faces
         .par_chunks(CHUNK_CORNERS / 3)
-        .map_init(Collector::default, |collector, chunk| {
-            for &v in chunk.as_flattened() {
-                collector.push(key(vertices, v)?);
-            }
-            Ok(collector.finish())
+        .map_init(Collector::default, |collector, faces| {
+            collector.chunk(|corners| {
+                let mut keys = faces.as_flattened().iter().map(|&v| key(vertices, v));
+                keys.try_for_each(|key| key.map(|key| corners.push(key)))
+            })
         })
         .collect();
     let chunks = chunks.into_iter().collect::<Result<Vec<_>>>()?;
@@ -178,14 +178,18 @@ impl<K: Key> Collector<K> {
         self.corners.push(self.table.index(key, &mut self.keys) as u16);
     }
 
-    /// The chunk of all corners since the last call.
-    pub fn finish(&mut self) -> Chunk<K> {
+    /// The chunk of the corners that `fill` adds.
+    ///
+    /// # Errors
+    /// Those of `fill`; the collector is empty again then, too.
+    pub fn chunk(&mut self, fill: impl FnOnce(&mut Self) -> Result<()>) -> Result<Chunk<K>> {
+        let filled = fill(self);
+        let keys = self.keys.as_slice().into();
+        let corners = self.corners.as_slice().into();
         self.table.slots.fill(EMPTY);
-        let chunk =
-            Chunk { keys: self.keys.as_slice().into(), corners: self.corners.as_slice().into() };
         self.keys.clear();
         self.corners.clear();
-        chunk
+        filled.map(|()| Chunk { keys, corners })
     }
 }
 

@@ -34,16 +34,15 @@ fn read_chunk(
     let (start, end) = match (start, end) {
         (Some(start), Some(end)) => (start, end),
         // The chunk before found no seam either, and has read on to the file's end.
-        (None, _) if at_end => return Ok(collector.finish()),
+        (None, _) if at_end => return collector.chunk(|_| Ok(())),
         _ => return Err(complain(source, nominal, "expected endfacet after at most 64 kB")),
     };
     let last = at_end && end == buffer.len();
     let mut parser = Parser { bytes: &buffer[start..end], at: 0 };
-    parser.solids(nominal == 0, last, collector).map_err(|what| {
-        let byte = nominal + (start + parser.at) as u64;
-        complain(source, byte, &what)
-    })?;
-    Ok(collector.finish())
+    collector.chunk(|corners| {
+        let parsed = parser.solids(nominal == 0, last, corners);
+        parsed.map_err(|what| complain(source, nominal + (start + parser.at) as u64, &what))
+    })
 }
 
 /// End of the first `endfacet` that begins at or after `from`.

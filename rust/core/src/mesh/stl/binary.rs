@@ -54,19 +54,26 @@ pub fn read(source: &Source, facets: u64) -> Result<Chunks> {
         if buffer.len() != count * FACET {
             return Err(source.error("the file shrank while it was read"));
         }
-        let (facets, _) = buffer.as_chunks::<FACET>();
-        for (f, facet) in facets.iter().enumerate() {
-            let (words, _) = facet[CORNERS].as_chunks::<4>();
-            for (v, corner) in words.as_chunks::<3>().0.iter().enumerate() {
-                let point = corner.map(f32::from_le_bytes);
-                let Some(key) = key(point) else {
-                    return Err(bad_corner(source, first + f as u64, v, point));
-                };
-                collector.push(key);
-            }
-        }
-        Ok(collector.finish())
+        collector.chunk(|corners| collect(source, first, buffer, corners))
     })
+}
+
+/// Collects the corners of the facets in the buffer, the first of which is facet `first`.
+fn collect(
+    source: &Source,
+    first: u64,
+    buffer: &[u8],
+    corners: &mut Collector<[u32; 3]>,
+) -> Result<()> {
+    let (facets, _) = buffer.as_chunks::<FACET>();
+    for (f, facet) in (first..).zip(facets) {
+        let (words, _) = facet[CORNERS].as_chunks::<4>();
+        for (v, words) in words.as_chunks::<3>().0.iter().enumerate() {
+            let point = words.map(f32::from_le_bytes);
+            corners.push(key(point).ok_or_else(|| bad_corner(source, f, v, point))?);
+        }
+    }
+    Ok(())
 }
 
 fn bad_corner(source: &Source, facet: u64, corner: usize, point: [f32; 3]) -> crate::CoreError {
