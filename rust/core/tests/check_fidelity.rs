@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec3, dvec3};
-use wireprint_core::fidelity::{coverage, deviation};
+use wireprint_core::fidelity::{Deviation, Surface, coverage};
 use wireprint_core::mesh::Mesh;
 
 /// A flat square of side 100 mm at z = 0 in n × n × 2 triangles.
@@ -40,6 +40,10 @@ fn sphere(n: u32) -> Mesh {
         })
         .collect();
     Mesh::new(vertices, faces)
+}
+
+fn deviation(mesh: &Mesh, strands: &[[DVec3; 2]]) -> Deviation {
+    Surface::new(mesh).deviation(strands)
 }
 
 #[test]

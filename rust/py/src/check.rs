@@ -217,8 +217,9 @@ impl Certificate {
             let relaxed = self.core.relaxed.iter().filter(|piece| counts(piece.strand as usize));
             let relaxed = moved(relaxed.map(|piece| piece.ends), shift);
             let coverage = fidelity::coverage(mesh.core(), &commanded, within_mm);
-            let commanded = fidelity::deviation(mesh.core(), &commanded);
-            let relaxed = fidelity::deviation(mesh.core(), &relaxed);
+            let surface = fidelity::Surface::new(mesh.core());
+            let commanded = surface.deviation(&commanded);
+            let relaxed = surface.deviation(&relaxed);
             (
                 coverage.share,
                 patch_rows(&coverage),
@@ -324,7 +325,7 @@ pub fn deviation(
     strands: PyReadonlyArray3<'_, f64>,
 ) -> PyResult<(f64, f64)> {
     let strands = ends(&strands)?;
-    let found = py.detach(|| fidelity::deviation(mesh.core(), &strands));
+    let found = py.detach(|| fidelity::Surface::new(mesh.core()).deviation(&strands));
     Ok((found.mean, found.max))
 }
 

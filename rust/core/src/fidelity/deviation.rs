@@ -6,8 +6,8 @@ use rayon::prelude::*;
 use super::triangles::Triangles;
 use crate::mesh::Mesh;
 
-/// Spacing of the samples along a strand, mm: below the resolution of any wire print.
-const STEP_MM: f64 = 1.0;
+/// Spacing of the samples along a strand, mm: a few for the shortest post of a wire print.
+const STEP_MM: f64 = 2.0;
 
 /// Strands that one task measures; neighbours in printing order have neighbours on the surface.
 const BATCH: usize = 64;
@@ -21,27 +21,39 @@ pub struct Deviation {
     pub max: f64,
 }
 
-/// Measures the distance of strands from a mesh.
-///
-/// Each strand is cut into equal pieces of at most 1 mm, and the distance taken at the middle of
-/// each; that of every sample is exact.
-#[must_use]
-pub fn deviation(mesh: &Mesh, strands: &[[DVec3; 2]]) -> Deviation {
-    let triangles = Triangles::new(mesh);
-    let measured: Vec<(f64, f64, f64)> = strands
-        .par_chunks(BATCH)
-        .map(|batch| {
-            let mut guess = 0;
-            batch.iter().fold((0.0, 0.0, 0.0), |(length, moment, max), &strand| {
-                let (l, m, x) = of_strand(strand, &triangles, &mut guess);
-                (length + l, moment + m, f64::max(max, x))
+/// A mesh's surface, ready to measure distances from.
+pub struct Surface {
+    triangles: Triangles,
+}
+
+impl Surface {
+    /// Prepares the surface of a mesh.
+    #[must_use]
+    pub fn new(mesh: &Mesh) -> Self {
+        Self { triangles: Triangles::new(mesh) }
+    }
+
+    /// Measures the distance of strands from the surface.
+    ///
+    /// Each strand is cut into equal pieces of at most 2 mm, and the distance taken at the middle
+    /// of each; that of every sample is exact.
+    #[must_use]
+    pub fn deviation(&self, strands: &[[DVec3; 2]]) -> Deviation {
+        let measured: Vec<(f64, f64, f64)> = strands
+            .par_chunks(BATCH)
+            .map(|batch| {
+                let mut guess = 0;
+                batch.iter().fold((0.0, 0.0, 0.0), |(length, moment, max), &strand| {
+                    let (l, m, x) = of_strand(strand, &self.triangles, &mut guess);
+                    (length + l, moment + m, f64::max(max, x))
+                })
             })
-        })
-        .collect();
-    let length: f64 = measured.iter().map(|batch| batch.0).sum();
-    let moment: f64 = measured.iter().map(|batch| batch.1).sum();
-    let max = measured.iter().map(|batch| batch.2).fold(0.0, f64::max);
-    Deviation { mean: if length > 0.0 { moment / length } else { 0.0 }, max }
+            .collect();
+        let length: f64 = measured.iter().map(|batch| batch.0).sum();
+        let moment: f64 = measured.iter().map(|batch| batch.1).sum();
+        let max = measured.iter().map(|batch| batch.2).fold(0.0, f64::max);
+        Deviation { mean: if length > 0.0 { moment / length } else { 0.0 }, max }
+    }
 }
 
 /// Length, integral of the distance and greatest distance of one strand.

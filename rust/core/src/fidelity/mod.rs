@@ -11,4 +11,4 @@ mod triangle;
 mod triangles;
 
 pub use coverage::{Coverage, Patch, coverage};
-pub use deviation::{Deviation, deviation};
+pub use deviation::{Deviation, Surface};

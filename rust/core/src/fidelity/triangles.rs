@@ -24,6 +24,10 @@ struct Bounds {
 const EMPTY: Bounds = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
 impl Bounds {
+    fn of(points: &[DVec3]) -> Self {
+        points.iter().fold(EMPTY, |bounds, &p| bounds.join(Self { low: p, high: p }))
+    }
+
     fn join(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
@@ -47,10 +51,7 @@ impl Triangles {
         let leaves = triangles.len().div_ceil(LEAF).next_power_of_two();
         let mut nodes = vec![EMPTY; 2 * leaves];
         for (node, corners) in nodes[leaves..].iter_mut().zip(triangles.chunks(LEAF)) {
-            *node = corners
-                .as_flattened()
-                .iter()
-                .fold(EMPTY, |bounds, &p| bounds.join(Bounds { low: p, high: p }));
+            *node = Bounds::of(corners.as_flattened());
         }
         for node in (1..leaves).rev() {
             nodes[node] = nodes[2 * node].join(nodes[2 * node + 1]);
@@ -71,22 +72,27 @@ impl Triangles {
         if node >= self.leaves {
             let first = (node - self.leaves) * LEAF;
             for (index, &corners) in self.triangles.iter().enumerate().skip(first).take(LEAF) {
-                let squared = triangle::distance_squared(p, corners);
-                if squared < best.1 {
-                    *best = (index, squared);
+                if Bounds::of(&corners).distance_squared(p) < best.1 {
+                    let squared = triangle::distance_squared(p, corners);
+                    if squared < best.1 {
+                        *best = (index, squared);
+                    }
                 }
             }
             return;
         }
-        let children = [2 * node, 2 * node + 1];
-        let mut order = children.map(|child| (child, self.nodes[child].distance_squared(p)));
-        if order[1].1 < order[0].1 {
-            order.swap(0, 1);
+        let (mut near, mut far) = (2 * node, 2 * node + 1);
+        let mut to_near = self.nodes[near].distance_squared(p);
+        let mut to_far = self.nodes[far].distance_squared(p);
+        if to_far < to_near {
+            std::mem::swap(&mut near, &mut far);
+            std::mem::swap(&mut to_near, &mut to_far);
         }
-        for (child, squared) in order {
-            if squared < best.1 {
-                self.descend(child, p, best);
-            }
+        if to_near < best.1 {
+            self.descend(near, p, best);
+        }
+        if to_far < best.1 {
+            self.descend(far, p, best);
         }
     }
 }
