@@ -230,6 +230,12 @@ def test_thumbnails_have_the_sizes_asked_for_and_a_transparent_ground():
     assert hue_share(pixels(made[1][2]), view.STYLES["contour"].colour) > SEEN
 
 
+def test_thumbnails_show_the_object_without_its_skirt():
+    alone = view.thumbnails(Strands.from_gcode(gcode("CONTOUR", "POST")))
+    skirted = view.thumbnails(Strands.from_gcode(gcode("CONTOUR", "POST", "SKIRT")))
+    assert alone == skirted
+
+
 SAME_ON_ANY_THREADS = """
 import hashlib, sys
 from wireprint import view

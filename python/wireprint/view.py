@@ -390,7 +390,7 @@ def _fill(
 def thumbnails(
     strands: Strands, sizes: Iterable[tuple[int, int]] = ((32, 32), (300, 300))
 ) -> list[tuple[int, int, bytes]]:
-    """Small pictures on a transparent ground, for the head of a G-code file.
+    """Draw small pictures of the object on a transparent ground, for the head of a G-code file.
 
     Parameters
     ----------
@@ -405,7 +405,9 @@ def thumbnails(
         Width, height and PNG file of each.
     """
     scene = Scene()
-    scene.add_strands(strands, palette(strands))
+    styles = [style_of(label) for label in strands.labels]
+    objects = [style.colour if style.is_object else None for style in styles]
+    scene.add_strands(strands, objects)
     return [
         (
             width,

@@ -23,6 +23,9 @@ impl Frame {
     /// The longest side of a picture, pixels.
     pub const LONGEST: usize = 16_384;
 
+    /// The most samples per pixel in each direction.
+    pub const FINEST: usize = 8;
+
     pub(super) fn check(&self) -> Result<()> {
         let side = 1..=Self::LONGEST;
         if !side.contains(&self.width) || !side.contains(&self.height) {
@@ -33,8 +36,9 @@ impl Frame {
                 Self::LONGEST
             )));
         }
-        if !(1..=8).contains(&self.supersample) {
-            return Err(CoreError::Setting("supersampling must lie in 1–8".into()));
+        if !(1..=Self::FINEST).contains(&self.supersample) {
+            let text = format!("supersampling must lie in 1–{}", Self::FINEST);
+            return Err(CoreError::Setting(text));
         }
         if self.margins.iter().any(|m| !m.is_finite() || *m < 0.0) {
             return Err(CoreError::Setting("a picture's margins must not be negative".into()));

@@ -9,7 +9,7 @@ use super::camera::Projector;
 use super::image::{Frame, Image};
 use super::scene::Scene;
 use super::shade::Shader;
-use super::stroke::{BEHIND, Capsule};
+use super::stroke::Capsule;
 use super::tiles::{SIDE, Tiles, touched};
 use super::triangle::Triangle;
 
@@ -24,8 +24,22 @@ pub(super) struct Sample {
 }
 
 /// What a sample sees. Of the primitives, facets come first, then strokes; a halo shows the ground.
-type Sight = u32;
-const GROUND: Sight = Sight::MAX;
+pub(super) type Sight = u32;
+pub(super) const GROUND: Sight = Sight::MAX;
+/// The nearness of nothing.
+pub(super) const BEHIND: f32 = f32::NEG_INFINITY;
+
+/// 0, 1, 2 … as far as the columns of a tile go: a counter would keep the compiler from doing
+/// several samples at a time.
+pub(super) const COLUMNS: [f32; SIDE * Frame::FINEST] = {
+    let mut columns = [0.0; SIDE * Frame::FINEST];
+    let mut i = 1;
+    while i < columns.len() {
+        columns[i] = columns[i - 1] + 1.0;
+        i += 1;
+    }
+    columns
+};
 
 /// The scene on the screen, sorted into tiles.
 struct Screen<'a> {
@@ -174,38 +188,30 @@ impl Tile {
         first..past.max(first)
     }
 
-    /// Shows `sight` at the samples of the rows' spans where `hit` is nearer than what is there;
-    /// beside its nearness `hit` tells whether `sight` is there or its halo.
+    /// Calls `draw` with the first sample's middle, the nearness and the sight of each row's span.
     #[inline]
     fn fill(
         &mut self,
         rows: [f32; 2],
-        sight: Sight,
         span: impl Fn(f32) -> [f32; 2],
-        hit: impl Fn(Vec2) -> (f32, bool),
+        draw: impl Fn(Vec2, &mut [f32], &mut [Sight]),
     ) {
         for row in self.within(rows, self.origin.y) {
             let y = self.origin.y + row as f32 + 0.5;
             let columns = self.within(span(y), self.origin.x);
-            let x = self.origin.x + columns.start as f32 + 0.5;
+            let first = Vec2::new(self.origin.x + columns.start as f32 + 0.5, y);
             let samples = row * self.side + columns.start..row * self.side + columns.end;
-            let line = self.keys[samples.clone()].iter_mut().zip(&mut self.sights[samples]);
-            for (column, (nearest, seen)) in (0_u16..).zip(line) {
-                let (key, is_body) = hit(Vec2::new(x + f32::from(column), y));
-                if key > *nearest {
-                    *nearest = key;
-                    *seen = if is_body { sight } else { GROUND };
-                }
-            }
+            draw(first, &mut self.keys[samples.clone()], &mut self.sights[samples]);
         }
     }
 
     fn draw_capsule(&mut self, capsule: &Capsule, sight: Sight) {
-        self.fill(capsule.rows(), sight, |y| capsule.span(y), |at| capsule.hit(at));
+        let draw = |at, keys: &mut [f32], sights: &mut [_]| capsule.draw(at, keys, sights, sight);
+        self.fill(capsule.rows(), |y| capsule.span(y), draw);
     }
 
     fn draw_triangle(&mut self, triangle: &Triangle, sight: Sight) {
-        let hit = |at| (triangle.key_at(at), true);
-        self.fill(triangle.rows(), sight, |y| triangle.span(y), hit);
+        let draw = |at, keys: &mut [f32], sights: &mut [_]| triangle.draw(at, keys, sights, sight);
+        self.fill(triangle.rows(), |y| triangle.span(y), draw);
     }
 }

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::camera::Projector;
-use super::raster::Sample;
+use super::raster::{BEHIND, COLUMNS, GROUND, Sample, Sight};
 use super::scene::{Rgb, Stroke, Width};
 
 /// Width of the gap that a strand leaves in strands behind it, as a share of its radius.
@@ -12,9 +12,6 @@ const HALO: f32 = 0.55;
 const HALO_DEPTH: f32 = 5.0;
 /// A strand is never drawn thinner than this, pixels.
 const LEAST_WIDTH_PX: f64 = 1.1;
-
-/// The nearness of nothing.
-pub(super) const BEHIND: f32 = f32::NEG_INFINITY;
 
 /// A projected stroke; lengths in samples, y downwards.
 #[derive(Debug, Clone)]
@@ -33,10 +30,12 @@ pub(super) struct Capsule {
     halo: f32,
     /// Half of the greatest width with the halo, samples.
     reach: f32,
-    /// From the axis to a flank.
-    side: Vec2,
-    /// Share of the stroke's length per row; infinite or not a number where it is level.
-    per_row: f32,
+    /// Columns that the axis advances per row, or 0 where it is level.
+    slope: f32,
+    /// Half of the columns within reach of the axis's line in a row; infinite where it is level.
+    breadth: f32,
+    /// The columns that the stroke touches.
+    box_x: [f32; 2],
     /// The side of the tube that faces the eye, in the camera's axes.
     facing: Vec3,
     pub(super) colour: Rgb,
@@ -69,6 +68,7 @@ impl Capsule {
         let length2 = along.length_squared();
         let halo = if matches!(stroke.width, Width::Tube(_)) { HALO } else { 0.0 };
         let reach = radii[0].max(radii[1]) as f32 * (1.0 + halo);
+        let level = along.y.abs() < 1e-3;
         let axis = projector.to_view(to - from).normalize_or_zero().as_vec3();
         Some(Self {
             from: start,
@@ -82,8 +82,9 @@ impl Capsule {
             bulge_step: (bulges[1] - bulges[0]) as f32,
             halo,
             reach,
-            side: along.perp().normalize_or_zero() * reach,
-            per_row: 1.0 / along.y,
+            slope: if level { 0.0 } else { along.x / along.y },
+            breadth: if level { f32::INFINITY } else { reach * length2.sqrt() / along.y.abs() },
+            box_x: [start.x.min(start.x + along.x) - reach, start.x.max(start.x + along.x) + reach],
             facing: (Vec3::Z - axis * axis.z).normalize_or(Vec3::Z),
             colour: stroke.colour,
             lit,
@@ -98,77 +99,56 @@ impl Capsule {
 
     /// The columns that the stroke may touch between two rows; empty where low > high.
     pub(super) fn columns(&self, top: f32, bottom: f32) -> [f32; 2] {
-        let reach = self.reach;
-        let (mut low, mut high) = (0.0_f32, 1.0_f32);
-        if self.along.y.abs() > 1e-6 {
-            let t = [top - reach, bottom + reach].map(|y| (y - self.from.y) / self.along.y);
-            low = low.max(t[0].min(t[1]));
-            high = high.min(t[0].max(t[1]));
-        }
-        if low > high {
-            return [1.0, 0.0];
-        }
-        let x = [low, high].map(|t| self.from.x + t * self.along.x);
-        [x[0].min(x[1]) - reach, x[0].max(x[1]) + reach]
+        let (a, b) = (self.span(top), self.span(bottom));
+        [a[0].min(b[0]), a[1].max(b[1])]
     }
 
-    /// The columns of the row through `y`: exact for a stroke of one width, since a capsule is
-    /// convex and its row ends lie on an end cap or on one of the two flanks.
+    /// The columns that the row through `y` may touch: those within reach of the axis's line, as
+    /// far as the stroke's box goes.
     pub(super) fn span(&self, y: f32) -> [f32; 2] {
-        let mut span = [f32::INFINITY, f32::NEG_INFINITY];
-        let mut include = |low: f32, high: f32| span = [span[0].min(low), span[1].max(high)];
-        let from_start = y - self.from.y;
-        for (end, rise) in [(0.0, from_start), (self.along.x, from_start - self.along.y)] {
-            let half2 = self.reach * self.reach - rise * rise;
-            if half2 >= 0.0 {
-                let half = half2.sqrt();
-                include(end - half, end + half);
-            }
-        }
-        for side in [self.side, -self.side] {
-            let t = (from_start - side.y) * self.per_row;
-            if (0.0..=1.0).contains(&t) {
-                let x = side.x + t * self.along.x;
-                include(x, x);
-            }
-        }
-        [span[0] + self.from.x, span[1] + self.from.x]
+        let middle = self.from.x + (y - self.from.y) * self.slope;
+        [(middle - self.breadth).max(self.box_x[0]), (middle + self.breadth).min(self.box_x[1])]
     }
 
-    /// Share of the stroke's length at the point nearest to `at`, the vector from there, and the
-    /// radius there.
+    /// Share of the stroke's length at its point nearest to a place, the square of the distance to
+    /// there, and the radius there; the place is given from the stroke's start.
     #[inline]
-    fn foot(&self, at: Vec2) -> (f32, Vec2, f32) {
-        let offset = at - self.from;
-        let t = (offset.dot(self.along) * self.inverse_length2).clamp(0.0, 1.0);
-        (t, offset - t * self.along, self.radius + t * self.radius_step)
+    fn foot(&self, place: Vec2) -> (f32, f32, f32) {
+        let t = (place.dot(self.along) * self.inverse_length2).clamp(0.0, 1.0);
+        (t, (place - t * self.along).length_squared(), self.radius + t * self.radius_step)
     }
 
-    /// How near the stroke is at a sample, and whether it is the body that is there or the halo;
-    /// infinitely far beside the stroke.
-    #[inline]
-    pub(super) fn hit(&self, at: Vec2) -> (f32, bool) {
-        let (t, away, radius) = self.foot(at);
-        let away2 = away.length_squared();
-        let rest = radius * radius - away2;
-        let key = self.key + t * self.key_step;
-        let bulge = self.bulge + t * self.bulge_step;
-        if rest > 0.0 {
-            return (key + bulge * rest.sqrt(), true);
+    /// Draws the samples of a row from `at` on, where they are nearer than what is there.
+    ///
+    /// Without branches, so that the compiler does four samples at a time.
+    pub(super) fn draw(&self, at: Vec2, keys: &mut [f32], sights: &mut [Sight], sight: Sight) {
+        let start = at - self.from;
+        for ((column, nearest), seen) in COLUMNS.iter().zip(keys).zip(sights) {
+            let (t, away2, radius) = self.foot(Vec2::new(start.x + column, start.y));
+            let rest = radius * radius - away2;
+            let outer = radius * (1.0 + self.halo);
+            let axis = self.key + t * self.key_step;
+            let bulge = self.bulge + t * self.bulge_step;
+            let body = axis + bulge * rest.max(0.0).sqrt();
+            let halo = axis - bulge * radius * HALO_DEPTH;
+            let beside = if away2 < outer * outer { halo } else { BEHIND };
+            let key = if rest > 0.0 { body } else { beside };
+            let shown = if rest > 0.0 { sight } else { GROUND };
+            let is_nearer = key > *nearest;
+            *nearest = if is_nearer { key } else { *nearest };
+            *seen = if is_nearer { shown } else { *seen };
         }
-        let outer = radius * (1.0 + self.halo);
-        let halo = if away2 < outer * outer { key - bulge * radius * HALO_DEPTH } else { BEHIND };
-        (halo, false)
     }
 
     /// What light needs to know of a sample on the stroke's body.
     pub(super) fn surface(&self, at: Vec2) -> Sample {
-        let (t, away, radius) = self.foot(at);
-        let out = Vec2::new(away.x, -away.y) / radius;
-        let height = (1.0 - out.length_squared()).max(0.0).sqrt();
+        let place = at - self.from;
+        let (t, _, radius) = self.foot(place);
+        let away = (place - t * self.along) / radius;
+        let height = (1.0 - away.length_squared()).max(0.0).sqrt();
         let facing = if t > 0.0 && t < 1.0 { self.facing } else { Vec3::Z };
         Sample {
-            normal: Vec3::new(out.x, out.y, 0.0) + height * facing,
+            normal: Vec3::new(away.x, -away.y, 0.0) + height * facing,
             key: self.key + t * self.key_step,
             rim: height,
         }

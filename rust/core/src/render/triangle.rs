@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::camera::Projector;
-use super::raster::Sample;
+use super::raster::{COLUMNS, Sample, Sight};
 use super::scene::{Facet, Rgb};
 
 /// A projected facet; lengths in samples, y downwards.
@@ -82,9 +82,19 @@ impl Triangle {
         span
     }
 
+    /// Draws the samples of a row from `at` on, where they are nearer than what is there.
+    pub(super) fn draw(&self, at: Vec2, keys: &mut [f32], sights: &mut [Sight], sight: Sight) {
+        let first = self.key_at(at);
+        for ((column, nearest), seen) in COLUMNS.iter().zip(keys).zip(sights) {
+            let key = first + column * self.gradient.x;
+            let is_nearer = key > *nearest;
+            *nearest = if is_nearer { key } else { *nearest };
+            *seen = if is_nearer { sight } else { *seen };
+        }
+    }
+
     /// How near the triangle's plane is at a sample.
-    #[inline]
-    pub(super) fn key_at(&self, at: Vec2) -> f32 {
+    fn key_at(&self, at: Vec2) -> f32 {
         self.key + (at - self.corners[0]).dot(self.gradient)
     }
 
