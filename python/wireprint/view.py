@@ -70,7 +70,7 @@ CAMERAS: Final = {
     "top": (0.0, 90.0, 0.0),
 }
 GCODE_SUFFIXES: Final = frozenset({"gcode", "gco", "g", "nc", "ngc"})
-BREACH_RADIUS_MM: Final = 1.2
+BREACH_RADIUS_MM: Final = 0.9
 #: Below this width a picture has no room for a legend, pixels.
 LEGEND_FROM_PX: Final = 480
 

@@ -74,7 +74,8 @@ def view(
 ) -> None:
     """Draw G-code or a model.
 
-    FILE is G-code of any program, or a model; how a model is placed matters to models alone.
+    FILE is G-code of any program, or a model. How a model is placed matters to models alone;
+    camera, size and edges to pictures alone.
     """
     from wireprint import view as pictures
 
