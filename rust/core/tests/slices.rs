@@ -254,9 +254,14 @@ fn boxes_that_share_a_wall_become_one_contour() {
         cuboid(DVec3::ZERO, DVec3::ONE),
         cuboid(DVec3::new(1.0, 0.25, 0.0), DVec3::new(2.0, 0.75, 1.0)),
     ]);
-    let contours = slice(&mesh, 0.5, Side::Below);
-    assert_eq!(contours.len(), 1);
-    assert_close(contours[0].area, 1.5, 1e-8);
+    let mut random = Random(10);
+    for turn in 0..100 {
+        let angle = if turn == 0 { 0.0 } else { random.between(0.0, 7.0) };
+        let mesh = moved(&mesh, DMat3::from_rotation_z(angle), DVec3::splat(angle));
+        let contours = slice(&mesh, angle + 0.5, Side::Below);
+        assert_eq!(contours.len(), 1, "at {angle}");
+        assert_close(contours[0].area, 1.5, 1e-8);
+    }
 }
 
 #[test]

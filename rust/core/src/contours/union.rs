@@ -15,6 +15,8 @@ use crate::slices::Loop;
 /// than 1e-9 mm. That is below any tolerance here, and above the rounding noise that would
 /// otherwise leave slivers between walls that coincide.
 pub(super) const UNITS_PER_MM: f64 = (1_u64 << 30) as f64;
+/// How far rounding to the grid can part a corner from the wall that it lies on, units.
+const ROUNDING: i64 = 2;
 /// Largest coordinate of the grid: the engine's own bound for 64 bits.
 const LIMIT: f64 = (1_u64 << 61) as f64;
 
@@ -38,9 +40,12 @@ impl OverlayEdgeData for Label {
 #[must_use]
 pub fn union(loops: Vec<Loop>) -> Vec<Loop> {
     let (closed, open): (Vec<Loop>, Vec<Loop>) = loops.into_iter().partition(|l| l.closed);
-    let mut overlay = EdgeOverlay::<i64, Label>::new(closed.iter().map(|l| l.points.len()).sum());
-    for ring in &closed {
-        overlay.add_edges(edges(ring), ShapeType::Subject);
+    let edges: Vec<Edge> = closed.iter().flat_map(edges).collect();
+    let mut corners: Vec<Corner> = edges.iter().map(|edge| edge.a).collect();
+    corners.sort_unstable();
+    let mut overlay = EdgeOverlay::<i64, Label>::new(edges.len());
+    for edge in edges {
+        overlay.add_edges(bent(edge, &corners), ShapeType::Subject);
     }
     let shapes = overlay.build_vector_shapes(OverlayRule::Subject, FillRule::NonZero);
     let united = shapes.into_iter().flatten().map(|path| Loop {
@@ -51,13 +56,40 @@ pub fn union(loops: Vec<Loop>) -> Vec<Loop> {
     united.chain(open).collect()
 }
 
-fn edges(ring: &Loop) -> impl Iterator<Item = InputEdge<i64, Label>> + '_ {
+type Corner = IntPoint<i64>;
+type Edge = InputEdge<i64, Label>;
+
+fn edges(ring: &Loop) -> impl Iterator<Item = Edge> + '_ {
     let ends = ring.points.iter().cycle().skip(1);
     ring.points.iter().zip(ends).zip(&ring.faces).map(|((&a, &b), &face)| InputEdge {
         a: to_units(a),
         b: to_units(b),
         data: Label(face),
     })
+}
+
+/// The edge by way of all corners that lie along it but for rounding: walls that coincide then
+/// run through the very same points, whatever their direction. `corners` ascend.
+fn bent(edge: Edge, corners: &[Corner]) -> impl Iterator<Item = Edge> {
+    let Edge { a, b, data } = edge;
+    let (low, high) = (a.x.min(b.x) - ROUNDING, a.x.max(b.x) + ROUNDING);
+    let from = corners.partition_point(|corner| corner.x < low);
+    let near = corners[from..].iter().take_while(|corner| corner.x <= high);
+    let mut along: Vec<(f64, Corner)> =
+        near.filter_map(|&corner| Some((between(a, b, corner)?, corner))).collect();
+    along.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut start = a;
+    let ends = along.into_iter().map(|(_, corner)| corner).chain([b]);
+    ends.map(move |end| InputEdge { a: std::mem::replace(&mut start, end), b: end, data })
+}
+
+/// How far along `a → b` a corner lies, 0 to 1, if it is on the edge but for rounding.
+fn between(a: Corner, b: Corner, corner: Corner) -> Option<f64> {
+    let vector = |p: Corner| DVec2::new((p.x - a.x) as f64, (p.y - a.y) as f64);
+    let (edge, way) = (vector(b), vector(corner));
+    let share = edge.dot(way) / edge.length_squared();
+    let beside = edge.perp_dot(way).abs() <= ROUNDING as f64 * edge.length();
+    (beside && share > 0.0 && share < 1.0).then_some(share)
 }
 
 fn to_units(p: DVec2) -> IntPoint<i64> {
