@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         __version__,
     )
     from wireprint.certificate import Certificate, check
+    from wireprint.comparison import Comparison, Condition, compare
     from wireprint.gcode.flavors import KINDS
     from wireprint.mesh import load_mesh
     from wireprint.pipeline import WirePrint, make, to_gcode, write_gcode
@@ -41,6 +42,8 @@ if TYPE_CHECKING:
 __all__ = [
     "KINDS",
     "Certificate",
+    "Comparison",
+    "Condition",
     "GcodeError",
     "Mesh",
     "ModelError",
@@ -53,6 +56,7 @@ __all__ = [
     "WireprintError",
     "__version__",
     "check",
+    "compare",
     "estimate",
     "load_mesh",
     "make",
@@ -65,9 +69,12 @@ __all__ = [
 _HOMES = {
     "KINDS": "wireprint.gcode.flavors",
     "Certificate": "wireprint.certificate",
+    "Comparison": "wireprint.comparison",
+    "Condition": "wireprint.comparison",
     "Settings": "wireprint.settings",
     "WirePrint": "wireprint.pipeline",
     "check": "wireprint.certificate",
+    "compare": "wireprint.comparison",
     "estimate": "wireprint.timing",
     "load_mesh": "wireprint.mesh",
     "make": "wireprint.pipeline",

@@ -327,6 +327,88 @@ class Wire(Section):
     )
 
 
+class LayerProfile(Section):
+    """How the slicer that wire prints are compared with prints layers."""
+
+    layer_height_mm: float = Field(0.2, gt=0, le=2, description="with 0.7 mm: the paper's times")
+    width_ratio: float = Field(
+        1.125, ge=0.5, le=2, description="line width by nozzle; PrusaSlicer's automatic width"
+    )
+    perimeters: int = Field(2, ge=0, le=50, description="walls; PrusaSlicer at the paper's times")
+    bottom_layers: int = Field(3, ge=0, le=100, description="solid; PrusaSlicer's default")
+    top_layers: int = Field(3, ge=0, le=100, description="solid; PrusaSlicer's default")
+    infill_density: float = Field(0.1, ge=0, le=1, description="the paper's 10 %")
+    infill_overlap: float = Field(
+        0.25, ge=0, le=1, description="of the fill with the wall, in line widths; PrusaSlicer's"
+    )
+    solid_below_mm2: float = Field(
+        70.0, ge=0, le=10000, description="smaller sparse areas are solid; PrusaSlicer's default"
+    )
+    link_mm: float = Field(
+        50.0, ge=0, le=1000, description="longest link between sparse lines; PrusaSlicer's default"
+    )
+    solid_link: float = Field(
+        3.0, ge=0, le=20, description="longest link between solid lines, in their spacings"
+    )
+    seam_gap: float = Field(
+        0.15, ge=0, le=1, description="a wall ends so far before its start, in nozzles; Slic3r's"
+    )
+    retract_over_mm: float = Field(
+        2.0, ge=0, le=100, description="shorter travels do not retract; PrusaSlicer's default"
+    )
+    resolution_mm: float = Field(
+        0.02, ge=0, le=1, description="by which simplified contours stray; a tenth of a layer"
+    )
+    print_mm_s: float = Field(40.0, gt=0, le=1000, description="reproduces the paper's 24:59")
+    first_layer_mm_s: float = Field(30.0, gt=0, le=1000, description="PrusaSlicer's default")
+    travel_mm_s: float = Field(150.0, gt=0, le=2000, description="at most the machine's limit")
+    max_flow_mm3_s: float | None = Field(
+        None, gt=0, le=500, description="what the hot end melts; None: the printer's"
+    )
+
+
+class FastProfile(LayerProfile):
+    """A modern machine in a hurry; speeds as in Bambu Lab's profiles for its X1 and P1."""
+
+    layer_height_mm: float = Field(0.3, gt=0, le=2, description="coarse for a 0.4 mm nozzle")
+    print_mm_s: float = Field(270.0, gt=0, le=1000, description="as far as the hot end melts")
+    first_layer_mm_s: float = Field(50.0, gt=0, le=1000)
+    travel_mm_s: float = Field(500.0, gt=0, le=2000)
+    max_flow_mm3_s: float | None = Field(
+        20.0, gt=0, le=500, description="a high-flow hot end; None: the printer's"
+    )
+    printer: str = Field("voron-2.4", description="profile of the CoreXY that it runs on")
+    max_velocity_mm_s: Positive = Field(500.0, description="in place of that profile's")
+    max_accel_mm_s2: Positive = Field(10000.0, description="in place of that profile's")
+
+
+class Frame(Section):
+    """A model's edges as beams; the paper's layer-wise wireframe, its figure 16b."""
+
+    beam_mm: float = Field(
+        2.0, gt=0, le=50, description="width of a beam; reproduces the paper's 10:23"
+    )
+    sharp_deg: float = Field(
+        30.0, gt=0, lt=180, description="an edge that bends more is a feature; Blender's default"
+    )
+    simplify_mm: float = Field(
+        0.5, ge=0, le=10, description="by which a beam may leave the edges it stands for"
+    )
+    pitch_mm: Millimetres = Field(
+        15.0, description="of rings and posts where a model bends without edges; estimated"
+    )
+    bridge_mm: Millimetres = Field(
+        10.0, description="flatter beams up to this length need no strut; PrusaSlicer's default"
+    )
+
+
+class Layerwise(LayerProfile):
+    """What wire prints are compared with."""
+
+    fast: FastProfile = Field(default_factory=FastProfile)
+    frame: Frame = Field(default_factory=Frame)
+
+
 class Settings(Section):
     """One printer, one material, one way of wiring.
 
@@ -342,6 +424,7 @@ class Settings(Section):
     printer: Printer
     material: Material
     wire: Wire = Field(default_factory=Wire)
+    layerwise: Layerwise = Field(default_factory=Layerwise)
 
     @model_validator(mode="after")
     def _a_valve_has_a_pin(self) -> Self:

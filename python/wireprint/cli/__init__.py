@@ -21,6 +21,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
     "check": ("wireprint.cli.check", "check", "Judge whether G-code can be printed."),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
+    "compare": (
+        "wireprint.cli.compare",
+        "compare",
+        "Tell how long a model takes as a wire print, and how long in layers.",
+    ),
     "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),
 }

@@ -109,16 +109,20 @@ def moves(toolpath: Toolpath, settings: Settings) -> bytes:
 
 def timed(text: bytes, settings: Settings) -> tuple[bytes, Estimate]:
     """Add M73 lines to the text; return it with the estimate that they come from."""
-    printer = settings.printer
-    found = estimate(
-        text,
-        limits.of_printer(printer),
-        limits.firmware_of(printer),
-        allowances_s=(0.0, 0.0, 0.0),
-        per_move=True,
-    )
-    template = FLAVORS[printer.gcode.flavor].progress
+    found = timing(text, settings, per_move=True)
+    template = FLAVORS[settings.printer.gcode.flavor].progress
     return insert_progress(text, found, template), found
+
+
+def timing(text: bytes, settings: Settings, *, per_move: bool = False) -> Estimate:
+    """Time a text as the printer of the settings would take, without heating and homing."""
+    return estimate(
+        text,
+        limits.of_printer(settings.printer),
+        limits.firmware_of(settings.printer),
+        allowances_s=(0.0, 0.0, 0.0),
+        per_move=per_move,
+    )
 
 
 def footer(settings: Settings, filament_mm: float, print_time_s: float, layers: int) -> bytes:

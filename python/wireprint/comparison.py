@@ -1,0 +1,129 @@
+"""How long a model takes as a wire print, and how long in layers: the paper's figure 16."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+from wireprint._core import SettingError
+from wireprint.gcode import document
+from wireprint.timing import Filament
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from wireprint._core import Mesh, Toolpath
+    from wireprint.settings import Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """One way to print a model."""
+
+    #: One of `CONDITIONS`.
+    condition: str
+    #: As the printer's firmware would take; heating and homing aside, s.
+    print_time_s: float
+    #: Filament used, mm.
+    filament_mm: float
+    #: Its weight, g.
+    filament_g: float
+    #: How many times faster than the first condition.
+    speedup: float
+    #: Time to compute the print and its estimate, s.
+    compute_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """A model printed in several ways."""
+
+    #: In the order of `CONDITIONS`.
+    conditions: tuple[Condition, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything as values that JSON knows."""
+        return {"conditions": [asdict(condition) for condition in self.conditions]}
+
+
+def compare(mesh: Mesh, settings: Settings, conditions: Iterable[str] | None = None) -> Comparison:
+    """Print a model in every way and tell the times.
+
+    Parameters
+    ----------
+    mesh
+        The model, placed: its lowest point at z = 0.
+    settings
+        Printer, material, way of wiring; ``settings.layerwise`` for the other conditions.
+    conditions
+        Which of `CONDITIONS`; all by default. The first of them is the measure of speed-up.
+
+    Returns
+    -------
+    Comparison
+
+    Raises
+    ------
+    SettingError
+        A condition is unknown.
+    ModelError
+        The model cannot be printed in one of the ways.
+    """
+    wanted = set(CONDITIONS if conditions is None else conditions)
+    if unknown := sorted(wanted - set(CONDITIONS)):
+        msg = f"{unknown[0]!r} is no condition; there are {', '.join(CONDITIONS)}"
+        raise SettingError(msg)
+    found: list[Condition] = []
+    for name in (name for name in CONDITIONS if name in wanted):
+        begin = time.perf_counter()
+        machine, path = _MAKERS[name](mesh, settings)
+        text = document.body(path, machine, document.dated(None))
+        estimate = document.timing(text, machine)
+        base_s = found[0].print_time_s if found else estimate.total_s
+        found.append(
+            Condition(
+                condition=name,
+                print_time_s=estimate.total_s,
+                filament_mm=estimate.filament_mm,
+                filament_g=Filament.of(machine).grams(estimate.filament_mm),
+                speedup=base_s / estimate.total_s,
+                compute_s=time.perf_counter() - begin,
+            )
+        )
+    return Comparison(tuple(found))
+
+
+def _solid(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
+    from wireprint.layerwise.areas import areas
+    from wireprint.layerwise.printing import layered
+    from wireprint.layerwise.recipe import Recipe
+
+    recipe = Recipe.of(settings.layerwise, settings.printer)
+    return settings, layered(areas(mesh, recipe.layer_mm, recipe.resolution_mm), recipe)
+
+
+def _fast(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
+    from wireprint.layerwise.areas import areas
+    from wireprint.layerwise.printing import layered
+    from wireprint.layerwise.recipe import Recipe, on_fast_printer
+
+    machine = on_fast_printer(settings)
+    recipe = Recipe.of(settings.layerwise.fast, machine.printer)
+    return machine, layered(areas(mesh, recipe.layer_mm, recipe.resolution_mm), recipe)
+
+
+def _wire(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
+    from wireprint.stages import toolpath, wireframe
+
+    return settings, toolpath(wireframe(mesh, settings), settings)
+
+
+_MAKERS: Final[dict[str, Callable[[Mesh, Settings], tuple[Settings, Toolpath]]]] = {
+    "layerwise-solid": _solid,
+    "wireprint": _wire,
+    "layerwise-fast": _fast,
+}
+
+#: Names of the conditions, in order.
+CONDITIONS: Final[tuple[str, ...]] = tuple(_MAKERS)

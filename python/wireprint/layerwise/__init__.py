@@ -1,0 +1,1 @@
+"""A plain layer slicer: what a wire print is compared with."""

@@ -1,0 +1,111 @@
+"""What is inside a model at each layer, as polygons."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import shapely
+
+from wireprint import _core
+from wireprint.layerwise.threads import mapped
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from wireprint._core import Mesh, Slices
+
+#: Geometries of shapely, dtype object.
+Geometries = np.ndarray[Any, np.dtype[np.object_]]
+
+_EMPTY = shapely.MultiPolygon()
+
+
+def layer_count(height_mm: float, layer_mm: float) -> int:
+    """Layers that a model of this height has: those whose middle lies within it."""
+    return int(np.floor(height_mm / layer_mm + 0.5))
+
+
+def areas(mesh: Mesh, layer_mm: float, resolution_mm: float) -> Geometries:
+    """Cut a mesh at the middle of each layer.
+
+    Parameters
+    ----------
+    mesh
+        The model, its lowest point at z = 0.
+    layer_mm
+        Height of a layer, mm.
+    resolution_mm
+        How far a simplified contour may leave the exact one, mm.
+
+    Returns
+    -------
+    numpy.ndarray
+        One polygon or multipolygon for each layer, from the lowest, possibly empty.
+    """
+    count = layer_count(mesh.size_mm[2], layer_mm)
+    heights = (np.arange(count, dtype=np.float64) + 0.5) * layer_mm
+    return of_slices(_core.slice_mesh(mesh, heights), resolution_mm)
+
+
+def of_slices(slices: Slices, resolution_mm: float) -> Geometries:
+    """Return the area of each slice; open contours enclose none."""
+    sizes = np.diff(slices.offsets)
+    usable = slices.closed & (sizes >= 3)
+    result: Geometries = np.full(len(slices.slice_offsets) - 1, _EMPTY, dtype=object)
+    if not usable.any():
+        return result
+    contours = np.flatnonzero(usable)
+    number = np.full(len(sizes), -1)
+    number[contours] = np.arange(len(contours))
+    of_point = np.repeat(number, sizes)
+    rings = shapely.linearrings(slices.points[of_point >= 0], indices=of_point[of_point >= 0])
+    rings = _simplified(rings, resolution_mm)
+    shells = np.where(slices.depth % 2 == 0, np.arange(len(sizes)), slices.parent)[contours]
+    kept = ~shapely.is_empty(rings) & np.isin(shells, contours)
+    is_hole = shells != contours
+    order = np.lexsort((is_hole, shells))
+    order = order[kept[order]]
+    shell_ids, polygon_of_ring = np.unique(shells[order], return_inverse=True)
+    polygons = shapely.polygons(rings[order], indices=polygon_of_ring)
+    layers = np.searchsorted(slices.slice_offsets, shell_ids, side="right") - 1
+    return _by_layer(_sound(polygons), layers, result)
+
+
+def islands(geometries: Geometries) -> tuple[Geometries, npt.NDArray[np.int64]]:
+    """Split each area into connected pieces; return them and the index that each comes from."""
+    parts, origin = shapely.get_parts(geometries, return_index=True)
+    is_area = (shapely.get_dimensions(parts) == 2) & ~shapely.is_empty(parts)
+    return parts[is_area], origin[is_area]
+
+
+def offset(geometries: Geometries, distance_mm: float) -> Geometries:
+    """Grow (or, below 0, shrink) each area by a distance, mm, with sharp corners."""
+    return mapped(
+        lambda part: shapely.buffer(part, distance_mm, join_style="mitre", mitre_limit=2.0),
+        geometries,
+    )
+
+
+def _simplified(rings: Geometries, resolution_mm: float) -> Geometries:
+    return mapped(
+        lambda part: shapely.simplify(part, resolution_mm, preserve_topology=False), rings
+    )
+
+
+def _sound(polygons: Geometries) -> Geometries:
+    """Mend what simplifying made cross itself."""
+    broken = ~mapped(shapely.is_valid, polygons)
+    polygons[broken] = shapely.buffer(polygons[broken], 0.0)
+    return polygons
+
+
+def _by_layer(
+    polygons: Geometries, layers: npt.NDArray[np.int64], result: Geometries
+) -> Geometries:
+    parts, origin = islands(polygons)
+    filled, group = np.unique(layers[origin], return_inverse=True)
+    order = np.argsort(group, kind="stable")
+    if len(filled):
+        result[filled] = shapely.multipolygons(parts[order], indices=group[order])
+    return result

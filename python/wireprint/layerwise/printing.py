@@ -1,0 +1,51 @@
+"""Areas become a toolpath: walls, solid shells, sparse fill, layer upon layer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from wireprint._core import ModelError
+from wireprint.layerwise import shells
+from wireprint.layerwise.areas import Geometries, islands
+from wireprint.layerwise.hatch import hatched
+from wireprint.layerwise.moves import toolpath
+from wireprint.layerwise.route import routed
+from wireprint.layerwise.walls import walls
+
+if TYPE_CHECKING:
+    from wireprint._core import Toolpath
+    from wireprint.layerwise.recipe import Recipe
+
+
+def layered(areas: Geometries, recipe: Recipe) -> Toolpath:
+    """Print areas as ordinary layers.
+
+    Parameters
+    ----------
+    areas
+        What each layer covers, from the lowest, shape (K,).
+    recipe
+        Widths, counts and speeds.
+
+    Raises
+    ------
+    ModelError
+        Nothing is wide enough for a line.
+    """
+    pieces, layer = islands(areas)
+    laid = walls(pieces, recipe.perimeters, recipe.width_mm, recipe.spacing_mm, recipe.overlap_mm)
+    buried = shells.buried(areas, recipe.bottom_layers, recipe.top_layers)
+    solid, sparse = shells.split(laid.inner, buried[layer], recipe.width_mm, recipe.solid_below_mm2)
+    turn = np.where(layer % 2 == 0, np.pi / 4, -np.pi / 4)
+    fills = [
+        hatched(solid, turn, recipe.spacing_mm, recipe.width_mm, recipe.solid_link_mm),
+    ]
+    if recipe.infill_density > 0:
+        spacing = recipe.spacing_mm / recipe.infill_density
+        fills.append(hatched(sparse, turn, spacing, recipe.width_mm, recipe.link_mm))
+    groups = [*laid.lines, *fills]
+    if not any(len(lines) for lines in groups):
+        raise ModelError("no part of the model is as wide as a line")
+    return toolpath(routed(groups, layer, recipe.seam_gap_mm), recipe.rates)

@@ -1,0 +1,58 @@
+"""Walls: lines along the contours, and the area that they leave."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from wireprint.layerwise.areas import Geometries, offset
+from wireprint.layerwise.lines import Lines
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+@dataclass(frozen=True)
+class Walls:
+    """The walls of many islands."""
+
+    #: Closed lines, the innermost first; `Lines.owner` is the index of the island.
+    lines: tuple[Lines, ...]
+    #: What the centres of filling lines may cover, shape (N,).
+    inner: Geometries
+
+
+def walls(
+    islands: Geometries, count: int, width_mm: float, spacing_mm: float, overlap_mm: float
+) -> Walls:
+    """Lay walls inside islands.
+
+    Parameters
+    ----------
+    islands
+        Polygons, shape (N,).
+    count
+        Walls side by side.
+    width_mm
+        Width of a line, mm: the outer wall's edge lies on the contour.
+    spacing_mm
+        From line to line, mm.
+    overlap_mm
+        By which the fill runs into the innermost wall, mm.
+    """
+    area = offset(islands, -width_mm / 2)
+    lines: list[Lines] = []
+    for number in range(count):
+        if number:
+            area = offset(area, -spacing_mm)
+        lines.append(Lines.rims(area))
+    # Without walls, the fill reaches to the contour, as far as its own width allows.
+    inner = offset(area, overlap_mm - spacing_mm) if count else area
+    return Walls(tuple(reversed(lines)), inner)
+
+
+def total_mm(lines: Sequence[Lines]) -> float:
+    """Length of all walls, mm."""
+    return float(sum(np.sum(line.lengths_mm()) for line in lines))
