@@ -107,7 +107,7 @@ fn prints(criterion: &mut Criterion) {
             let moves = build(strands);
             group.throughput(Throughput::Elements(moves.len() as u64));
             group.bench_with_input(BenchmarkId::new(name, strands), &moves, |bench, moves| {
-                bench.iter(|| certify(moves, &rules));
+                bench.iter(|| certify(moves, &[], &rules));
             });
         }
     }

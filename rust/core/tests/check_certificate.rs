@@ -84,7 +84,7 @@ fn cube() -> Vec<Step> {
 }
 
 fn verdict(moves: &[Step]) -> Certificate {
-    certify(moves, &rules())
+    certify(moves, &[], &rules())
 }
 
 /// Index of the `n`-th move that extrudes and whose height changes by `rise`.
@@ -214,6 +214,30 @@ fn hanging_corners_relax_to_the_chord() {
     pen.draw(dvec3(30.0, 0.0, FIRST));
     let certificate = verdict(&pen.moves);
     assert!(certificate.relaxed.iter().all(|piece| piece.ends.iter().all(|p| p.y.abs() < 1e-9)));
+}
+
+#[test]
+fn a_corner_where_the_head_dwells_holds_itself_unless_it_is_too_far_out() {
+    let mut pen = Pen::new(dvec3(0.0, 0.0, FIRST));
+    pen.draw(dvec3(0.0, 0.0, 4.0));
+    pen.draw(dvec3(8.0, 10.0, 4.0));
+    pen.draw(dvec3(16.0, 0.0, 4.0));
+    pen.draw(dvec3(24.0, 0.0, FIRST));
+    let bent = |certificate: &Certificate| {
+        certificate.relaxed.iter().flat_map(|piece| piece.ends).any(|p| p.y == 10.0)
+    };
+    assert!(!bent(&certify(&pen.moves, &[], &rules())));
+    let held = certify(&pen.moves, &[1], &rules());
+    assert!(bent(&held) && held.max_free_end > 12.0);
+    let short = Rules { free_end_limit: 10.0, ..rules() };
+    assert!(!bent(&certify(&pen.moves, &[1], &short)));
+}
+
+#[test]
+fn an_end_in_the_air_dangles_even_if_the_head_dwells_there() {
+    let mut pen = Pen::new(dvec3(0.0, 0.0, FIRST));
+    pen.draw(dvec3(0.0, 0.0, 4.0));
+    assert_eq!(certify(&pen.moves, &[0], &rules()).dangling_ends.len(), 1);
 }
 
 #[test]

@@ -47,7 +47,8 @@ fn with_material(step: &Step, laid: u32, deposit: &Deposit, rules: &Rules) -> Op
     let path = [step.from, step.to];
     let floor = step.from.z.min(step.to.z) + tolerance;
     let mut worst: Option<(u32, Hit)> = None;
-    let rise = deposit.tops[laid as usize] - floor;
+    let top = deposit.tops[..laid as usize].last().copied().unwrap_or(f64::NEG_INFINITY);
+    let rise = top - floor;
     if rise > 0.0 {
         let reach = rules.head.reach_at(rise);
         deposit.grid.earlier(path, reach, laid, floor, |strand| {

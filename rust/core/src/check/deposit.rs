@@ -21,45 +21,87 @@ pub(super) struct Deposit {
     pub features: Vec<u16>,
     /// Place of each strand in its chain.
     pub links: Vec<chain::Link>,
+    /// Whether the head dwells at the end of each strand.
+    pub dwells: Vec<bool>,
     /// For each move, the number of strands laid before it.
     pub laid: Vec<u32>,
-    /// Highest point of the first n strands, for each n from 0, mm.
+    /// Highest point of the strands up to and including each, mm.
     pub tops: Vec<f64>,
     /// The strands over xy.
     pub grid: Grid,
 }
 
 impl Deposit {
-    /// Lays the strands of `moves`.
-    pub(super) fn of(moves: &[Step], bed: &Bed) -> Self {
-        let (mut strands, mut lines, mut features) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut tops, mut top) = (vec![f64::NEG_INFINITY], f64::NEG_INFINITY);
-        let mut chains = chain::Chains::default();
-        let mut laid = Vec::with_capacity(moves.len());
-        let mut at = None;
-        for step in moves {
-            if at.replace(step.to) != Some(step.from) {
-                chains.travel();
-            }
-            laid.push(strands.len() as u32);
-            let length = step.from.distance(step.to);
-            if length <= SHORTEST_MM {
-                continue;
-            }
-            if step.filament > 0.0 {
-                strands.push([step.from, step.to]);
-                lines.push(step.line);
-                features.push(step.feature);
-                chains.extrude(length);
-                top = top.max(step.from.z.max(step.to.z));
-                tops.push(top);
-            } else {
-                chains.travel();
+    /// Lays the strands of `moves`; after those in `dwells`, in order, the head stands still.
+    pub(super) fn of(moves: &[Step], dwells: &[usize], bed: &Bed) -> Self {
+        let mut laying = Laying::default();
+        let mut dwells = dwells.iter().copied().peekable();
+        for (index, step) in moves.iter().enumerate() {
+            laying.apply(step);
+            while dwells.next_if(|&after| after <= index).is_some() {
+                laying.dwell(step.to);
             }
         }
-        let (low, high) = frame(&strands, bed);
-        let grid = Grid::new(&strands, low, high);
-        Self { strands, lines, features, links: chains.links, laid, tops, grid }
+        laying.finish(bed)
+    }
+}
+
+/// A deposit under way.
+#[derive(Default)]
+struct Laying {
+    strands: Vec<[DVec3; 2]>,
+    lines: Vec<u64>,
+    features: Vec<u16>,
+    dwells: Vec<bool>,
+    chains: chain::Chains,
+    laid: Vec<u32>,
+    tops: Vec<f64>,
+    /// Where the last move ended.
+    at: Option<DVec3>,
+}
+
+impl Laying {
+    fn apply(&mut self, step: &Step) {
+        if self.at.replace(step.to) != Some(step.from) {
+            self.chains.travel();
+        }
+        self.laid.push(self.strands.len() as u32);
+        let length = step.from.distance(step.to);
+        if length <= SHORTEST_MM {
+            return;
+        }
+        if step.filament <= 0.0 {
+            self.chains.travel();
+            return;
+        }
+        self.strands.push([step.from, step.to]);
+        self.lines.push(step.line);
+        self.features.push(step.feature);
+        self.dwells.push(false);
+        self.chains.extrude(length);
+        let below = self.tops.last().copied().unwrap_or(f64::NEG_INFINITY);
+        self.tops.push(below.max(step.from.z).max(step.to.z));
+    }
+
+    /// The head stands still at `at`, perhaps at the end of the last strand.
+    fn dwell(&mut self, at: DVec3) {
+        if let (Some(strand), Some(dwells)) = (self.strands.last(), self.dwells.last_mut()) {
+            *dwells |= strand[1] == at;
+        }
+    }
+
+    fn finish(self, bed: &Bed) -> Deposit {
+        let (low, high) = frame(&self.strands, bed);
+        Deposit {
+            grid: Grid::new(&self.strands, low, high),
+            strands: self.strands,
+            lines: self.lines,
+            features: self.features,
+            dwells: self.dwells,
+            links: self.chains.links,
+            laid: self.laid,
+            tops: self.tops,
+        }
     }
 }
 

@@ -202,13 +202,13 @@ impl Certificate {
     }
 }
 
-/// Judges moves by the rules.
+/// Judges moves by the rules; after those with an index in `dwells`, ascending, the head dwells.
 ///
 /// The work grows as n log n with the moves of a print that goes upwards, and is shared among all
 /// cores; the verdict does not depend on their number.
 #[must_use]
-pub fn certify(moves: &[Step], rules: &Rules) -> Certificate {
-    let deposit = deposit::Deposit::of(moves, &rules.bed);
+pub fn certify(moves: &[Step], dwells: &[usize], rules: &Rules) -> Certificate {
+    let deposit = deposit::Deposit::of(moves, dwells, &rules.bed);
     let (collisions, (held, out_of_bounds)) = rayon::join(
         || collide::collisions(moves, &deposit, rules),
         || rayon::join(|| stretch::hold(&deposit, rules), || bounds::breaches(moves, rules)),

@@ -1,9 +1,10 @@
 //! Rules 2 and 3: what holds each chain, and how far it hangs between.
 //!
-//! Along a chain, parts in contact alternate with **stretches** that hang. Where a stretch begins
-//! with strokes that rise from a contact by at least half a strand diameter, the vertex from which
-//! it rises no further is a **peak**: the strokes up to it solidify as a free end that carries
-//! itself (a post), and what follows hangs from the peak. A stretch that ends at the chain's end
+//! Along a chain, parts in contact alternate with **stretches** that hang. Two kinds of vertices
+//! divide them, for there the strand solidifies as a free end that carries itself (a post), and
+//! what follows hangs from it: the **peak** from which strokes that rose from a contact by at least
+//! half a strand diameter rise no further; and a vertex at which the head **dwells**, if it is
+//! within the limit of a free end of the last contact. A stretch that ends at the chain's end
 //! without contact is a free end too. All others are held at both ends.
 //!
 //! Under its own tension a hanging stretch relaxes towards the chord between what holds it.
@@ -54,10 +55,14 @@ struct Walk<'a> {
     deposit: &'a Deposit,
     rules: &'a Rules,
     held: &'a mut Held,
-    /// Where the last contact or peak was, mm.
+    /// Where the last contact, peak or dwell was, mm.
     support: DVec3,
     /// Length since then, mm.
     hanging: f64,
+    /// Length from the last contact to `support`, mm.
+    standing: f64,
+    /// Whether the chain is in contact where the walk stands.
+    touching: bool,
     /// Whether the stretch has only risen since its contact: its top may become a peak.
     rising: bool,
 }
@@ -74,7 +79,16 @@ impl<'a> Walk<'a> {
         if contacts[0].first().is_none_or(|part| part[0] > 0.0) {
             held.floating_starts.push(LooseEnd { line: deposit.lines[first], at });
         }
-        Self { deposit, rules, held, support: at, hanging: 0.0, rising: true }
+        Self {
+            deposit,
+            rules,
+            held,
+            support: at,
+            hanging: 0.0,
+            standing: 0.0,
+            touching: false,
+            rising: true,
+        }
     }
 
     /// Goes along one strand with its parts in contact.
@@ -91,27 +105,46 @@ impl<'a> Walk<'a> {
             self.close(strand, begin, false);
             self.relax(strand, begin, end);
             self.support = end;
+            self.standing = 0.0;
             self.rising = true;
             done = leave;
         }
         self.hanging += (1.0 - done) * length;
-        if done < 1.0 && to.z <= from.z {
+        self.touching = done >= 1.0;
+        if !self.touching && to.z <= from.z {
             self.rising = false;
         }
+        if !self.touching && self.deposit.dwells[strand] {
+            self.solidify(strand, to);
+        }
+    }
+
+    /// The head dwells at the end of strand `strand`, in the air.
+    fn solidify(&mut self, strand: usize, at: DVec3) {
+        if self.standing + self.hanging <= self.rules.free_end_limit {
+            self.stand(strand, at);
+        }
+    }
+
+    /// What hangs up to a vertex carries itself.
+    fn stand(&mut self, strand: usize, at: DVec3) {
+        self.standing += self.hanging;
+        self.close(strand, at, true);
+        self.support = at;
+        self.rising = false;
     }
 
     /// The stretch rises no further than `top`, where strand `next` begins: a peak, if high enough.
     fn crest(&mut self, next: usize, top: DVec3) {
         self.rising = false;
         if self.hanging > 0.0 && top.z - self.support.z >= self.rules.tolerance() {
-            self.close(next - 1, top, true);
-            self.support = top;
+            self.stand(next - 1, top);
         }
     }
 
     /// Ends the chain behind strand `last`.
     fn end(mut self, last: usize) {
-        if self.hanging == 0.0 {
+        if self.touching {
             return;
         }
         let at = self.deposit.strands[last][1];
