@@ -251,6 +251,13 @@ def test_a_file_that_breaks_the_rules_is_refused(cube, tmp_path, unprintable):
     assert not target.exists()
 
 
+def test_a_print_that_is_too_large_names_the_bed_and_how_much(cube, tmp_path):
+    result = run("slice", cube, "-o", tmp_path / "cube.gcode", "--height", "200")
+    assert result.exit_code == 5
+    assert "build volume of kossel-mini (170 mm across, 220 mm high) by 5" in result.stderr
+    assert len(result.stderr.splitlines()) == 1
+
+
 def test_force_writes_it_anyway_and_says_so(cube, tmp_path, unprintable):
     target = tmp_path / "cube.gcode"
     result = run("slice", cube, "-o", target, "--force", "--json", *unprintable)

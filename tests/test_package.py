@@ -6,6 +6,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+import numpy as np
 import pytest
 
 import wireprint
@@ -82,3 +83,28 @@ def test_every_stage_measures_itself(mesh, settings):
         "gcode",
         "check",
     ]
+
+
+def test_a_model_fits_a_round_bed_if_any_place_on_it_will_do():
+    """A long triangle: its box's centre is not its circle's, and only the latter fits."""
+    outline = np.array([[0, 0], [160, 0], [20, 78]], float)
+    low = np.column_stack([outline, np.zeros(3)])
+    high = low + np.array([0, 0, 20])
+    sides = [[a, b, b + 3, a, b + 3, a + 3] for a, b in ((0, 1), (1, 2), (2, 0))]
+    faces = np.array([0, 2, 1, 3, 4, 5, *np.ravel(sides)]).reshape(-1, 3)
+    mesh = wireprint.Mesh.from_arrays(np.vstack([low, high]), faces)
+    assert mesh.reach_mm > 85
+    made = wireprint.make(mesh, wireprint.Settings.load())
+    assert made.mesh.reach_mm < 85
+    assert made.certificate.ok
+    assert made.certificate.fidelity.deviation_mm < 0.5
+
+
+def test_a_ring_that_leaves_the_bed_is_not_printed(tmp_path):
+    settings = wireprint.Settings.load(overrides=["bed.diameter_mm=42", "wire.skirt_rings=2"])
+    (tmp_path / "cube.stl").write_bytes(examples.stl("cube"))
+    cube = wireprint.load_mesh(tmp_path / "cube.stl")
+    made = wireprint.make(cube, settings)
+    assert made.certificate.ok
+    assert b";TYPE:SKIRT" not in made.gcode
+    assert b";TYPE:SKIRT" in wireprint.make(cube, wireprint.Settings.load()).gcode

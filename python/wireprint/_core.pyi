@@ -87,6 +87,9 @@ class Mesh:
     @property
     def size_mm(self) -> list[float]: ...
     @property
+    def reach_mm(self) -> float: ...
+    def centred_in_circle(self) -> Mesh: ...
+    @property
     def volume(self) -> float: ...
     @property
     def area(self) -> float: ...
@@ -241,6 +244,8 @@ def estimate_files(
 
 class _PathParams(TypedDict):
     centre_mm: tuple[float, float]
+    bed_half_mm: tuple[float, float]
+    bed_round: bool
     strand_mm: float
     filament_diameter_mm: float
     first_layer_height_mm: float

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import _core
 from wireprint._core import GcodeError
 from wireprint.limits import firmware_of
+from wireprint.stages import on_bed
 
 if TYPE_CHECKING:
     from wireprint.settings import Printer, Settings
@@ -348,7 +349,7 @@ def _fidelity(
 ) -> Fidelity:
     within_mm = settings.wire.coverage_within_mm
     share, patches, commanded, relaxed = core.fidelity(
-        model, settings.printer.bed.centre_mm, set(aside), within_mm
+        on_bed(model, settings), settings.printer.bed.centre_mm, set(aside), within_mm
     )
     return Fidelity(
         coverage=share,

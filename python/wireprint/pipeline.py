@@ -12,7 +12,7 @@ from wireprint import report
 from wireprint.certificate import check
 from wireprint.files import written_whole
 from wireprint.gcode import document
-from wireprint.stages import toolpath, wireframe
+from wireprint.stages import on_bed, toolpath, wireframe
 from wireprint.timing import Filament
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ class WirePrint:
     """A model with everything that was made from it."""
 
     settings: Settings
+    #: The model as it stands on the bed.
     mesh: Mesh
     wireframe: Wireframe
     toolpath: Toolpath
@@ -128,6 +129,7 @@ def make(
         No slice has a contour.
     """
     clock = clock or Clock()
+    mesh = on_bed(mesh, settings)
     with clock.stage("wireframe"):
         strands = wireframe(mesh, settings)
     with clock.stage("toolpath"):

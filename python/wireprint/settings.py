@@ -64,6 +64,12 @@ class Bed(Section):
             return self.diameter_mm, self.diameter_mm
         return self.width_mm or 0.0, self.depth_mm or 0.0
 
+    def __str__(self) -> str:
+        """Say how large it is."""
+        width, depth = self.size_mm
+        plan = f"{width:g} mm across" if self.shape == "round" else f"{width:g} × {depth:g} mm"
+        return f"{plan}, {self.height_mm:g} mm high"
+
     @property
     def centre_mm(self) -> tuple[float, float]:
         """The bed's centre in the machine's coordinates, mm."""

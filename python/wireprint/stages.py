@@ -61,6 +61,27 @@ def wireframe(mesh: Mesh, settings: Settings) -> Wireframe:
     )
 
 
+def on_bed(mesh: Mesh, settings: Settings) -> Mesh:
+    """Centre a mesh so that it fits a round bed, where its bounding box's centre will not do.
+
+    Parameters
+    ----------
+    mesh
+        The model, its bounding box centred at x = y = 0.
+    settings
+        Their printer's bed counts.
+
+    Returns
+    -------
+    Mesh
+        The same mesh where it fits; else moved so that the smallest circle around it is centred.
+    """
+    diameter = settings.printer.bed.diameter_mm
+    if diameter is None or mesh.reach_mm <= diameter / 2:
+        return mesh
+    return mesh.centred_in_circle()
+
+
 def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
     """Plan every move of the head.
 
@@ -77,10 +98,13 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
         Moves as parallel numpy arrays, in the machine's coordinates.
     """
     printer, wire = settings.printer, settings.wire
+    width, depth = printer.bed.size_mm
     return _core.toolpath(
         wireframe,
         {
             "centre_mm": printer.bed.centre_mm,
+            "bed_half_mm": (width / 2, depth / 2),
+            "bed_round": printer.bed.shape == "round",
             "strand_mm": printer.head.nozzle_mm,
             "filament_diameter_mm": printer.extruder.filament_diameter_mm,
             "first_layer_height_mm": settings.first_layer_height_mm,

@@ -19,7 +19,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "slice": ("wireprint.cli.slicing", "slice_models", "Turn models into wire prints."),
     "info": ("wireprint.cli.info", "info", "Tell size, surface and faults of a model."),
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
-    "check": ("wireprint.cli.check", "check", "Judge whether G-code can be printed."),
+    "check": ("wireprint.cli.check", "check", "Judge whether a G-code file can be printed."),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
     "compare": (
         "wireprint.cli.compare",

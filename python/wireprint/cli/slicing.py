@@ -103,9 +103,10 @@ class Job:
         made = make(mesh, self.settings, date=dated(model), clock=clock, compare=self.compare)
         warnings = []
         if made.certificate is not None and not made.certificate.ok:
+            reason = _breaches(made.certificate, self.settings)
             if not self.force:
-                raise UnprintableError(f"{model}: {_breaches(made.certificate)}")
-            warnings.append(f"written although {_breaches(made.certificate)}")
+                raise UnprintableError(f"{model}: {reason}")
+            warnings.append(f"written although {reason}")
         with clock.stage("write"):
             written_whole(target, made.gcode)
         progress.advance()
@@ -118,8 +119,14 @@ class Job:
         return figures | {"warnings": figures["warnings"] + warnings}
 
 
-def _breaches(certificate: Certificate) -> str:
+def _breaches(certificate: Certificate, settings: Settings) -> str:
     """Say which rules a file breaks, how often, and where first."""
+    outside = [b.value for b in certificate.out_of_bounds if b.bound == "volume"]
+    if outside:
+        return (
+            f"the print leaves the build volume of {settings.printer.name} "
+            f"({settings.printer.bed}) by {max(outside):.1f} mm; scale it or change the printer"
+        )
     found = {name: breaches for name, breaches in certificate.breaches().items() if breaches}
     counts = ", ".join(f"{name.replace('_', ' ')}: {len(list_)}" for name, list_ in found.items())
     first = min((breach for list_ in found.values() for breach in list_), key=lambda b: b.line)

@@ -133,6 +133,18 @@ impl Mesh {
         (high - low).to_array()
     }
 
+    /// Greatest horizontal distance of the surface from x = y = 0, mm.
+    #[getter]
+    fn reach_mm(&self) -> f64 {
+        self.core.reach()
+    }
+
+    /// The mesh moved sideways so that its smallest circle, seen from above, is about x = y = 0.
+    fn centred_in_circle(&self, py: Python<'_>) -> Self {
+        let core = py.detach(|| self.core.centred_in_circle());
+        Self { core, report: self.report }
+    }
+
     /// Enclosed volume, mm³.
     #[getter]
     fn volume(&self) -> f64 {

@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 use wireprint_core::toolpath as core;
 use wireprint_core::wireframe::Kind;
 
-use wireprint_core::toolpath::{Cooling, PathParams, Strategy};
+use wireprint_core::toolpath::{Cooling, PathParams, Plate, Strategy};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
@@ -46,6 +46,8 @@ impl Toolpath {
 #[pyo3(from_item_all)]
 pub struct PathArgs {
     centre_mm: [f64; 2],
+    bed_half_mm: [f64; 2],
+    bed_round: bool,
     strand_mm: f64,
     filament_diameter_mm: f64,
     first_layer_height_mm: f64,
@@ -83,6 +85,11 @@ impl PathArgs {
         };
         Ok(PathParams {
             centre: DVec2::from_array(self.centre_mm),
+            plate: if self.bed_round {
+                Plate::Round(self.bed_half_mm[0])
+            } else {
+                Plate::Rectangle(self.bed_half_mm.into())
+            },
             strand: self.strand_mm,
             filament: self.filament_diameter_mm,
             first_layer: self.first_layer_height_mm,

@@ -6,6 +6,7 @@ use crate::Result;
 use glam::DVec3;
 use rayon::prelude::*;
 
+pub mod circle;
 mod components;
 mod duplicates;
 mod fans;

@@ -10,13 +10,15 @@ use crate::wireframe::{Kind, Strand};
 /// Largest angle between two strokes of an outline's rounded corner, rad.
 const ROUND: f64 = 0.3;
 
-/// Rings around each first contour, inside to outside, one strand apart.
-pub fn brim(first: &[&Strand], strand: f64, rings: u32) -> Vec<Vec<DVec2>> {
+/// Rings around each first contour, inside to outside, one strand apart, as far as the bed holds
+/// them.
+pub fn brim(first: &[&Strand], p: &PathParams) -> Vec<Vec<DVec2>> {
     let contours = loops(first);
-    (1..=rings).flat_map(|i| outset(&contours, f64::from(i) * strand)).collect()
+    let rings = (1..=p.brim_rings).flat_map(|i| outset(&contours, f64::from(i) * p.strand));
+    rings.filter(|ring| fits(ring, p)).collect()
 }
 
-/// Rings around everything on the bed, outside to inside.
+/// Rings around everything on the bed, outside to inside, as far as the bed holds them.
 pub fn skirt(first: &[&Strand], brim: &[Vec<DVec2>], p: &PathParams) -> Vec<Vec<DVec2>> {
     let contours = first.iter().filter(|s| s.kind == Kind::Contour).map(|s| s.from.truncate());
     let hull = convex_hull(contours.chain(brim.iter().flatten().copied()).collect());
@@ -27,7 +29,12 @@ pub fn skirt(first: &[&Strand], brim: &[Vec<DVec2>], p: &PathParams) -> Vec<Vec<
     (0..p.skirt_rings)
         .rev()
         .flat_map(|i| outset(&hull, p.skirt_gap + f64::from(i) * p.strand))
+        .filter(|ring| fits(ring, p))
         .collect()
+}
+
+fn fits(ring: &[DVec2], p: &PathParams) -> bool {
+    ring.iter().all(|&point| p.plate.holds(point))
 }
 
 /// The closed contours among strands in printing order.

@@ -37,7 +37,7 @@ fn bed_lines(strands: &[Strand], p: &PathParams) -> Vec<Strand> {
         .iter()
         .take_while(|s| s.from.z <= p.first_layer + 1e-9 && s.to.z <= p.first_layer + 1e-9)
         .collect();
-    let brim = brim(&first, p.strand, p.brim_rings);
+    let brim = brim(&first, p);
     let skirt = skirt(&first, &brim, p);
     let rings = skirt.iter().map(|r| (r, Kind::Skirt)).chain(brim.iter().map(|r| (r, Kind::Brim)));
     rings

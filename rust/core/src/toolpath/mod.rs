@@ -34,11 +34,33 @@ pub struct Toolpath {
     pub slab: Vec<u32>,
 }
 
+/// The bed, about its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Plate {
+    /// A disc of this radius, mm.
+    Round(f64),
+    /// A rectangle that reaches this far along x and y, mm.
+    Rectangle(DVec2),
+}
+
+impl Plate {
+    /// Whether a point, relative to the bed's centre, lies on it.
+    #[must_use]
+    pub fn holds(&self, p: DVec2) -> bool {
+        match *self {
+            Self::Round(radius) => p.length() <= radius,
+            Self::Rectangle(half) => p.abs().cmple(half).all(),
+        }
+    }
+}
+
 /// What the toolpath depends on; lengths in mm, speeds in mm/s, times in s.
 #[derive(Debug, Clone, Copy)]
 pub struct PathParams {
-    /// Where the model's centre stands on the bed.
+    /// The bed's centre, where the model's stands.
     pub centre: DVec2,
+    /// The bed; rings that leave it are not printed.
+    pub plate: Plate,
     /// Diameter of a free strand.
     pub strand: f64,
     /// Diameter of the filament.
