@@ -49,7 +49,9 @@ impl Flat {
         for slice in slices {
             let first = flat.area.len() as i64;
             for contour in slice {
-                flat.points.extend(contour.points.iter().flat_map(|p| p.to_array()));
+                for point in &contour.points {
+                    flat.points.extend_from_slice(&point.to_array());
+                }
                 flat.offsets.push(flat.points.len() as i64 / 2);
                 flat.parent.push(contour.parent.map_or(-1, |parent| first + i64::from(parent)));
                 flat.depth.push(contour.depth);
