@@ -72,6 +72,8 @@ class Progress:
                 rich.progress.BarColumn(),
                 rich.progress.MofNCompleteColumn(),
                 rich.progress.TimeElapsedColumn(),
+                rich.progress.TextColumn("left:"),
+                rich.progress.TimeRemainingColumn(),
                 console=rich.console.Console(stderr=True),
                 transient=True,
             )

@@ -1,0 +1,58 @@
+"""What the scripts have in common that measure the shared models: the run, and Markdown."""
+
+import argparse
+import os
+from pathlib import Path
+
+from wireprint.bench.local import Processes, cores
+from wireprint.bench.plan import Placement, plan
+from wireprint.bench.pool import rows
+from wireprint.bench.task import Job
+from wireprint.settings import Settings
+
+REPOSITORY = Path(__file__).parents[1]
+SHARED = Path(os.environ.get("WIREPRINT_SHARED", REPOSITORY.parent / "shared"))
+#: Some models are larger than the Kossel Mini's bed; only the bed grows for them, not the head.
+ROOMY = ("bed.diameter_mm=400", "bed.height_mm=400", "motion.print_radius=200")
+
+
+def arguments(description, target):
+    """Read the command line: a manifest, the page to write, and the number of processes."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("manifest", nargs="?", default=str(SHARED / "models" / "manifest.csv"))
+    parser.add_argument("-o", "--output", type=Path, default=REPOSITORY / "docs" / target)
+    parser.add_argument("--jobs", type=int, default=cores())
+    return parser.parse_args()
+
+
+def evaluated(options, evaluate):
+    """Evaluate every model of the manifest; return the rows in the manifest's order."""
+    settings = Settings.load(overrides=ROOMY)
+    tasks = plan([options.manifest], Placement(), {})
+    with Processes(Job(settings.model_dump(mode="json"), evaluate), options.jobs) as pool:
+        found = sorted(rows(tasks, pool), key=lambda pair: pair[0].index)
+    return [row | {"model": Path(task.model).name} for task, row in found]
+
+
+def markdown(columns, rows):
+    """Lay out rows as a table; a column is a heading and a function of a row.
+
+    The row of a model that failed holds the reason, after the columns that are known.
+    """
+    lines = [
+        "| " + " | ".join(columns) + " |",
+        "|---" + "|---:" * (len(columns) - 1) + "|",
+    ]
+    lines += ["| " + " | ".join(_cells(columns, row)) + " |" for row in rows]
+    return "\n".join(lines)
+
+
+def _cells(columns, row):
+    cells = []
+    for cell in columns.values():
+        try:
+            cells.append(cell(row))
+        except KeyError:
+            reason = (row["error"] or "").removesuffix(".").replace("|", "/")
+            return [*cells, reason, *[""] * (len(columns) - len(cells) - 1)]
+    return cells

@@ -1,0 +1,116 @@
+"""Workers on this machine: one process a core."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+from contextlib import suppress
+from multiprocessing import connection
+from typing import TYPE_CHECKING
+
+from wireprint.bench import task as bench_task
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+    from multiprocessing.process import BaseProcess
+    from types import TracebackType
+    from typing import Self
+
+    from wireprint.bench.plan import Task
+    from wireprint.bench.task import Job, Row
+
+
+def cores() -> int:
+    """Count the cores that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+class Processes:
+    """A pool of processes, each of which evaluates one task at a time.
+
+    They are spawned, never forked: the core's threads would not survive a fork. The standard
+    library's pools are of no use here: they give everything up when one process dies.
+    """
+
+    def __init__(self, job: Job, count: int) -> None:
+        self._job = job
+        self._context = multiprocessing.get_context("spawn")
+        self._threads = max(1, cores() // count)
+        self._room = count
+        self._idle: list[_Worker] = []
+        self._busy: dict[Connection, tuple[_Worker, Task]] = {}
+
+    def __enter__(self) -> Self:
+        """Nothing begins before the first task."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        """Leave no process behind."""
+        for worker in [*self._idle, *(worker for worker, _ in self._busy.values())]:
+            worker.stop()
+
+    def has_room(self) -> bool:
+        """Tell whether a process is idle or may yet be started."""
+        return len(self._busy) < self._room
+
+    def start(self, task: Task) -> None:
+        """Give a task to an idle process."""
+        worker = self._idle.pop() if self._idle else self._started()
+        with suppress(OSError):  # It died while idle: `wait` finds the pipe closed.
+            worker.pipe.send(task)
+        self._busy[worker.pipe] = worker, task
+
+    def wait(self) -> list[tuple[Task, Row | None]]:
+        """Wait until a task ends; return those that did."""
+        ready = set(connection.wait(list(self._busy)))
+        return [self._ended(pipe) for pipe in list(self._busy) if pipe in ready]
+
+    def _started(self) -> _Worker:
+        ours, theirs = self._context.Pipe()
+        process = self._context.Process(
+            target=_serve, args=(theirs, self._job, self._threads), daemon=True
+        )
+        process.start()
+        theirs.close()  # Only so does the pipe end when the process does.
+        return _Worker(process, ours)
+
+    def _ended(self, pipe: Connection) -> tuple[Task, Row | None]:
+        worker, task = self._busy.pop(pipe)
+        try:
+            row: Row | None = pipe.recv()
+        except (EOFError, OSError):
+            worker.stop()
+            return task, None
+        self._idle.append(worker)
+        return task, row or bench_task.failed(task, "the file changed while it waited")
+
+
+class _Worker:
+    """A process and the pipe to it."""
+
+    def __init__(self, process: BaseProcess, pipe: Connection) -> None:
+        self._process = process
+        self.pipe = pipe
+
+    def stop(self) -> None:
+        self.pipe.close()
+        self._process.kill()
+        self._process.join()
+
+
+def _serve(pipe: Connection, job: Job, threads: int) -> None:
+    """Evaluate what comes through the pipe until it is closed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to answer.
+    # The processes fill the cores; the core's own threads, started at first use, would only queue.
+    os.environ["RAYON_NUM_THREADS"] = str(threads)
+    with suppress(EOFError, OSError):
+        while True:
+            pipe.send(bench_task.run(job, pipe.recv()))

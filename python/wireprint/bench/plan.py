@@ -1,0 +1,149 @@
+"""Which models are to be evaluated, and how each is placed."""
+
+from __future__ import annotations
+
+import csv
+import glob
+import hashlib
+import json
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from wireprint._core import ModelError, SettingError, __version__
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+#: What a folder is searched for.
+SUFFIXES: Final = (".stl", ".obj", ".ply", ".off", ".3mf")
+AXES: Final = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Placement:
+    """How a model is placed: arguments of ``wireprint.load_mesh``."""
+
+    scale: float = 1.0
+    units: str = "mm"
+    up: str = "z"
+    rotate: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    height_mm: float | None = None
+
+
+@dataclass(frozen=True)
+class Task:
+    """One model to evaluate."""
+
+    #: Place among the tasks of its run.
+    index: int
+    #: Path as the user reaches it; the row's name.
+    model: str
+    placement: Placement
+    #: Hash of the file; empty where it cannot be read.
+    model_sha256: str
+    #: Hash of everything else that the row depends on.
+    settings_sha256: str
+    #: Size of the file; large ones begin first.
+    size_bytes: int = 0
+    #: Why it cannot even begin.
+    error: str | None = None
+    #: The file itself, for a worker that cannot read `model`.
+    content: bytes | None = field(default=None, repr=False)
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """What tells whether a row is already there."""
+        return self.model_sha256, self.settings_sha256
+
+
+def plan(models: Iterable[str], placement: Placement, fingerprint: Mapping[str, Any]) -> list[Task]:
+    """List the models that files, folders, globs and manifests name, in that order.
+
+    Parameters
+    ----------
+    models
+        Files; folders, searched through for `SUFFIXES`; glob patterns; manifests: ``.csv`` files
+        with a column ``name`` (relative to the manifest) and, where they differ from `placement`,
+        ``scale`` and ``up_axis``. A model that is named twice in one way counts once.
+    placement
+        What applies unless a manifest says otherwise.
+    fingerprint
+        What else the rows depend on, as values that JSON knows.
+
+    Raises
+    ------
+    ModelError
+        A folder or pattern holds no model, or a manifest cannot be understood.
+    """
+    found = dict.fromkeys(pair for name in models for pair in _named(name, placement))
+    return [_task(index, path, placed, fingerprint) for index, (path, placed) in enumerate(found)]
+
+
+def _named(name: str, placement: Placement) -> Iterator[tuple[Path, Placement]]:
+    path = Path(name)
+    if path.suffix.lower() == ".csv":
+        yield from _manifest(path, placement)
+    elif path.is_dir():
+        yield from _some(name, sorted(path.rglob("*")), placement)
+    elif glob.has_magic(name) and not path.exists():
+        yield from _some(name, sorted(map(Path, glob.glob(name, recursive=True))), placement)
+    else:
+        yield path, placement
+
+
+def _some(
+    name: str, paths: Sequence[Path], placement: Placement
+) -> Iterator[tuple[Path, Placement]]:
+    models = [path for path in paths if path.suffix.lower() in SUFFIXES and path.is_file()]
+    if not models:
+        msg = f"{name}: no models there; known are {', '.join(SUFFIXES)}"
+        raise ModelError(msg)
+    for path in models:
+        yield path, placement
+
+
+def _manifest(path: Path, placement: Placement) -> Iterator[tuple[Path, Placement]]:
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            rows = csv.DictReader(file)
+            if "name" not in (rows.fieldnames or ()):
+                msg = f"{path}: a manifest has a column called name"
+                raise ModelError(msg)
+            for row in rows:
+                yield path.parent / row["name"], _placed(f"{path}:{rows.line_num}", row, placement)
+    except (UnicodeDecodeError, csv.Error) as error:
+        msg = f"{path}: not a CSV file: {error}"
+        raise ModelError(msg) from error
+
+
+def _placed(place: str, row: Mapping[str, str], placement: Placement) -> Placement:
+    """Let the cells of a manifest's row that are not empty win."""
+    values = asdict(placement)
+    try:
+        values["scale"] = float(row.get("scale") or placement.scale)
+    except ValueError:
+        msg = f"{place}: scale is {row['scale']!r}; it must be a number"
+        raise SettingError(msg) from None
+    values["up"] = (row.get("up_axis") or placement.up).lower()
+    if values["up"] not in AXES:
+        msg = f"{place}: up_axis is {row['up_axis']!r}; it must be one of {', '.join(AXES)}"
+        raise SettingError(msg)
+    return Placement(**values)
+
+
+def _task(index: int, path: Path, placement: Placement, fingerprint: Mapping[str, Any]) -> Task:
+    try:
+        content, error = path.read_bytes(), None
+    except OSError as failure:
+        content, error = b"", f"the file cannot be read: {failure.strerror}"
+    whole = {"version": __version__, "placement": asdict(placement), **fingerprint}
+    return Task(
+        index=index,
+        model=path.as_posix(),
+        placement=placement,
+        model_sha256="" if error else hashlib.sha256(content).hexdigest(),
+        settings_sha256=hashlib.sha256(json.dumps(whole, sort_keys=True).encode()).hexdigest(),
+        size_bytes=len(content),
+        error=error,
+    )

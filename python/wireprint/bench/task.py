@@ -1,0 +1,98 @@
+"""What a worker does with one model."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+import time
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from wireprint._core import WireprintError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from wireprint._core import Mesh
+    from wireprint.bench.plan import Task
+    from wireprint.settings import Settings
+
+Row = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Job:
+    """What all tasks of a run share; it travels to the workers."""
+
+    #: `Settings.model_dump` in JSON's types.
+    settings: dict[str, Any]
+    #: Fills a row with the figures of a mesh; a function of a module that workers can import.
+    evaluate: Callable[[Mesh, Settings, Row], None]
+
+
+def run(job: Job, task: Task) -> Row | None:
+    """Evaluate a model.
+
+    Returns
+    -------
+    Row or None
+        What was found; the column ``error`` tells why it is not complete. None: the file that the
+        task means is not to be seen from here.
+    """
+    from wireprint.mesh import load_mesh
+    from wireprint.settings import Settings
+
+    row = started(task)
+    begin = time.perf_counter()
+    try:
+        with _file(task) as path:
+            if path is None:
+                return None
+            mesh = load_mesh(path, **asdict(task.placement))
+        job.evaluate(mesh, Settings.from_mapping(job.settings), row)
+    except WireprintError as error:
+        row["error"] = str(error)
+    except Exception as error:
+        # A fault of ours must cost one model, not the run; its row says where to look.
+        row["error"] = f"unexpected {type(error).__name__}: {error}"
+    row["compute_s"] = time.perf_counter() - begin
+    return row
+
+
+def started(task: Task) -> Row:
+    """Return the cells of a row that are known before the work."""
+    return {
+        "model": task.model,
+        "model_sha256": task.model_sha256,
+        "settings_sha256": task.settings_sha256,
+        "scale": task.placement.scale,
+        "up": task.placement.up,
+        "error": task.error,
+    }
+
+
+def failed(task: Task, reason: str) -> Row:
+    """Return the row of a model that never came back."""
+    return started(task) | {"error": reason}
+
+
+@contextmanager
+def _file(task: Task) -> Iterator[Path | None]:
+    """Give a path of the very file that is meant: its own, or one with the bytes that were sent."""
+    path = Path(task.model)
+    if task.content is None:
+        yield path if _is_meant(path, task.model_sha256) else None
+        return
+    with tempfile.TemporaryDirectory(prefix="wireprint-") as folder:
+        copy = Path(folder) / path.name
+        copy.write_bytes(task.content)
+        yield copy
+
+
+def _is_meant(path: Path, sha256: str) -> bool:
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest() == sha256
+    except OSError:
+        return False

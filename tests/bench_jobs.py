@@ -1,0 +1,31 @@
+"""Ways to evaluate a model that only tests need; workers import them from here."""
+
+import os
+import time
+
+#: Width of the cube that is fatal to its worker, mm.
+FATAL_MM = 13.0
+
+
+def quick(mesh, settings, row):
+    """Tell the width alone."""
+    row["size_x_mm"] = mesh.size_mm[0]
+
+
+def slow(mesh, settings, row):
+    """Take long enough for somebody to interfere."""
+    time.sleep(0.3)
+    quick(mesh, settings, row)
+
+
+def fatal(mesh, settings, row):
+    """Die of one model, as a worker does that runs out of memory."""
+    if abs(mesh.size_mm[0] - FATAL_MM) < 1e-3:
+        os._exit(9)
+    slow(mesh, settings, row)
+
+
+def faulty(mesh, settings, row):
+    """Fail in a way that nobody foresaw."""
+    quick(mesh, settings, row)
+    raise ZeroDivisionError("by zero")
