@@ -158,7 +158,7 @@ def _client(address: str) -> Client:
         msg = "--scheduler needs Dask: pip install 'wireprint[dask]'"
         raise SettingError(msg) from error
     try:
-        return Client(address, timeout=CONNECT_WITHIN_S, set_as_default=False)
+        return Client(address, timeout=CONNECT_WITHIN_S)
     except (OSError, ValueError) as error:
         msg = f"no scheduler answers at {address}: {error}"
         raise SettingError(msg) from error

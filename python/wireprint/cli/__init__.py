@@ -27,7 +27,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "Tell how long a model takes as a wire print, and how long in layers.",
     ),
     "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
-    "bench": ("wireprint.cli.bench", "bench", "Evaluate many models on all cores, or a cluster."),
+    "bench": ("wireprint.cli.bench", "bench", "Compare and judge many models at once."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),
 }
 

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from wireprint.bench.plan import Task
     from wireprint.bench.task import Row
 
+#: Failures that are named; the rest is counted.
+SHOWN = 10
+
 
 @click.command()
 @click.argument("models", nargs=-1, required=True)
@@ -50,7 +53,7 @@ def bench(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Evaluate many models: time against other ways of printing, and the certificate.
+    """Compare and judge many models at once.
 
     MODELS are files, folders, glob patterns, or manifests: CSV files with a column `name` and, if
     need be, `scale` and `up_axis`. Each model becomes a row; one that fails has the reason in the
@@ -106,8 +109,11 @@ def _lines(found: dict[str, Any]) -> Iterator[str]:
             yield f"  {name:24}{_spread(found[name], form)}"
     if found["histogram"] is not None:
         yield f"  {'histogram':24}{found['histogram']}"
-    for failure in found["failures"]:
-        yield f"  failed: {failure['model']}: {failure['error']}"
+    for failure in found["failures"][:SHOWN]:
+        name = failure["model"]
+        yield f"  failed: {name}: {failure['error'].removeprefix(f'{name}: ')}"
+    if len(found["failures"]) > SHOWN:
+        yield f"  and {len(found['failures']) - SHOWN} more; see the column error"
 
 
 def _spread(spread: dict[str, float], form: str) -> str:
