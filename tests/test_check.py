@@ -260,6 +260,16 @@ def test_the_command_exits_with_1_and_names_line_place_and_depth(tmp_path):
     assert (tmp_path / "low.png").read_bytes().startswith(b"\x89PNG")
 
 
+def test_the_command_judges_by_single_settings(tmp_path):
+    path = tmp_path / "cube.gcode"
+    path.write_text("\n".join(wire_cube()))
+    flat = run("check", path, "--set", "head.slant_deg=25")
+    assert flat.exit_code == 0, "its diagonals fall by 23 degrees"
+    blunt = run("check", path, "--set", "head.slant_deg=15", "--json")
+    assert blunt.exit_code == 1
+    assert json.loads(blunt.stdout)["collisions"]
+
+
 def test_other_programs_layers_pass_where_nothing_is_hit(shared):
     path = shared / "timing/gcode/cube28_ps.gcode"
     found = wireprint.check(path, "kossel-mini")

@@ -13,6 +13,7 @@ from wireprint.cli.placement import placement_options
 if TYPE_CHECKING:
     from wireprint._core import Mesh
     from wireprint.certificate import Certificate
+    from wireprint.settings import Settings
 
 #: Breaches of one rule that are printed; the rest is counted.
 SHOWN = 10
@@ -21,6 +22,13 @@ SHOWN = 10
 @click.command()
 @click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.option("--printer", help="Profile to judge by; default: the file's own, else kossel-mini.")
+@click.option(
+    "--set",
+    "overrides",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="Single setting to judge by, such as head.slant_deg=45; may be repeated.",
+)
 @click.option(
     "--model",
     "model_path",
@@ -40,6 +48,7 @@ def check(
     /,
     file: Path,
     printer: str | None,
+    overrides: tuple[str, ...],
     model_path: Path | None,
     picture: Path | None,
     as_json: bool,
@@ -53,7 +62,8 @@ def check(
     """
     from wireprint.certificate import check as judge
 
-    certificate = judge(file, printer, _model(model_path, placement))
+    judge_by = _settings(printer, overrides) if overrides else printer
+    certificate = judge(file, judge_by, _model(model_path, placement))
     if picture is not None:
         from wireprint.view import render_png
 
@@ -63,6 +73,13 @@ def check(
     else:
         _show(file, certificate)
     ctx.exit(0 if certificate.ok else 1)
+
+
+def _settings(printer: str | None, overrides: tuple[str, ...]) -> Settings:
+    from wireprint.settings import Settings
+
+    chosen = {} if printer is None else {"printer": printer}
+    return Settings.load(overrides=overrides, **chosen)
 
 
 def _model(path: Path | None, placement: dict[str, Any]) -> Mesh | None:
