@@ -13,11 +13,6 @@ pub(super) const LARGEST: f64 = 1e9;
 /// Digits that certainly fit a `u64`.
 const MAX_DIGITS: usize = 19;
 
-/// A byte with this value in each place.
-const fn everywhere(byte: u8) -> u64 {
-    u64::from_le_bytes([byte; 8])
-}
-
 /// Reads the number at the front of `text`: sign, digits, point, digits. Returns it and its length
 /// in bytes, or `None` where there is no digit.
 ///
@@ -27,50 +22,6 @@ const fn everywhere(byte: u8) -> u64 {
 #[inline]
 #[must_use]
 pub fn decimal(text: &[u8]) -> Option<(f64, usize)> {
-    short_decimal(text).or_else(|| any_decimal(text))
-}
-
-/// A number of at most seven digits that ends within eight bytes, as nearly all do: found and read
-/// in a register, eight characters at once and without a branch that depends on where it ends.
-#[inline]
-fn short_decimal(text: &[u8]) -> Option<(f64, usize)> {
-    let minus = text.first() == Some(&b'-');
-    let start = usize::from(minus);
-    let characters = u64::from_le_bytes(*text.get(start..)?.first_chunk()?);
-    // Digits become 0–9; the top bit of each byte that is none is set in `others`.
-    let digits = characters ^ everywhere(b'0');
-    let others = (((digits & everywhere(0x7f)) + everywhere(0x76)) | digits) & everywhere(0x80);
-    if others == 0 {
-        return None;
-    }
-    let whole = others.trailing_zeros() / 8;
-    let before = (1 << (8 * whole)) - 1;
-    let point = u32::from((digits >> (8 * whole)) as u8 == b'.' ^ b'0');
-    // Close up over the point.
-    let joined = (digits & before) | ((digits >> (8 * point)) & !before);
-    let others = (others >> (8 * point)) & !before;
-    let count = others.trailing_zeros() / 8;
-    if others == 0 || count == 0 {
-        return None;
-    }
-    let magnitude = scaled(eight_digits(joined << (8 * (8 - count))), (count - whole) as usize);
-    let length = start + (count + point) as usize;
-    Some((if minus { -magnitude } else { magnitude }, length))
-}
-
-/// The number whose digits are the bytes, the first of them the lowest byte: neighbours are joined
-/// to pairs, pairs to fours, fours to eight.
-#[inline]
-fn eight_digits(digits: u64) -> u64 {
-    const PAIRS: u64 = 0x0000_00ff_0000_00ff;
-    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8);
-    let upper = (pairs & PAIRS).wrapping_mul(100 + (1_000_000 << 32));
-    let lower = ((pairs >> 16) & PAIRS).wrapping_mul(1 + (10_000 << 32));
-    upper.wrapping_add(lower) >> 32
-}
-
-/// A number of any length, character by character.
-fn any_decimal(text: &[u8]) -> Option<(f64, usize)> {
     let sign = text.first().copied();
     let signed = matches!(sign, Some(b'-' | b'+'));
     let mut at = usize::from(signed);

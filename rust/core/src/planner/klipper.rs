@@ -55,24 +55,14 @@ impl Move {
     }
 }
 
-/// What a junction needs of the move before it.
+/// What a junction needs of a move beside its limits.
 #[derive(Debug, Clone, Copy)]
-struct Previous {
-    item: Move,
+struct Course {
     /// Unit direction; `None` where only filament moved.
     direction: Option<DVec3>,
     /// Filament per mm of path.
     feed_ratio: f64,
     junction_deviation: f64,
-}
-
-/// What the forward pass gets from the backward pass.
-#[derive(Debug, Clone, Copy)]
-struct Plan {
-    start_v2: f64,
-    /// `None` where the move only continues what the one before it did.
-    cruise_v2: Option<f64>,
-    end_v2: f64,
 }
 
 /// State of the backward pass at a place of the queue.
@@ -85,28 +75,45 @@ struct Backward {
 }
 
 impl Backward {
-    /// Steps over one move towards the front.
+    /// The state before two settled moves in a row, of which the first can slow down: nothing that
+    /// comes after them changes it.
     #[inline]
-    fn step(&mut self, item: &Move) -> Plan {
+    fn before_settled(first: &Move, second: &Move) -> Option<Self> {
+        let full_v2 = first.smoothed_start_v2 + first.smoothed_delta_v2;
+        if !(first.is_settled() && second.is_settled() && full_v2 > second.smoothed_start_v2) {
+            return None;
+        }
+        let reachable_v2 = second.smoothed_start_v2 + first.smoothed_delta_v2;
+        Some(Self {
+            next_v2: first.start_v2,
+            next_smoothed_v2: first.smoothed_start_v2,
+            peak_v2: (first.smoothed_start_v2 + reachable_v2) / 2.0,
+            pending: 0,
+        })
+    }
+
+    /// Steps over one move towards the front; returns the speed at its start and its cruising
+    /// speed, infinite where it only continues what the move before it does.
+    #[inline]
+    fn step(&mut self, item: &Move) -> (f64, f64) {
         let reachable_v2 = self.next_v2 + item.delta_v2;
         let start_v2 = lesser(item.start_v2, reachable_v2);
         let smoothed_reachable_v2 = self.next_smoothed_v2 + item.smoothed_delta_v2;
         let smoothed_v2 = lesser(item.smoothed_start_v2, smoothed_reachable_v2);
         self.pending += 1;
-        let mut cruise_v2 = None;
+        let mut cruise_v2 = f64::INFINITY;
         if smoothed_v2 < smoothed_reachable_v2 {
             let can_slow_down = smoothed_v2 + item.smoothed_delta_v2 > self.next_smoothed_v2;
             if can_slow_down || self.pending > 1 {
                 self.peak_v2 = (smoothed_v2 + smoothed_reachable_v2) / 2.0;
             }
             let meeting_v2 = (start_v2 + reachable_v2) / 2.0;
-            cruise_v2 = Some(lesser(lesser(meeting_v2, item.top_v2), self.peak_v2));
+            cruise_v2 = lesser(lesser(meeting_v2, item.top_v2), self.peak_v2);
             self.pending = 0;
         }
-        let plan = Plan { start_v2, cruise_v2, end_v2: self.next_v2 };
         self.next_v2 = start_v2;
         self.next_smoothed_v2 = smoothed_v2;
-        plan
+        (start_v2, cruise_v2)
     }
 }
 
@@ -120,8 +127,10 @@ pub(super) struct Klipper {
     /// Squared radii of a delta's tapers with their speed and acceleration, the outermost first.
     tapers: Vec<(f64, f64, f64)>,
     queue: Vec<Move>,
-    plans: Vec<Plan>,
-    previous: Option<Previous>,
+    /// Start and cruising speed of each move, the last first.
+    plans: Vec<(f64, f64)>,
+    /// Course of the last move in the queue.
+    course: Option<Course>,
     /// Cruising speed of the last move that has left the queue.
     left_cruise_v2: f64,
 }
@@ -145,7 +154,7 @@ impl Klipper {
             tapers,
             queue: Vec::new(),
             plans: Vec::new(),
-            previous: None,
+            course: None,
             left_cruise_v2: 0.0,
         }
     }
@@ -161,24 +170,29 @@ impl Klipper {
             return;
         }
         let per_mm = 1.0 / length_d;
-        let mut next = Previous {
-            item: self.limited(step, displacement, length_d, standing, tag),
+        let course = Course {
             direction: (!standing).then(|| displacement * per_mm),
             feed_ratio: step.filament * per_mm,
             junction_deviation: self.junction_deviation(),
         };
-        if let Some(previous) = self.previous {
-            join(&mut next, &previous, self.current.instantaneous_corner_velocity);
+        let mut item = self.limited(step, displacement, length_d, standing, tag);
+        if let (Some(last), Some(before)) = (self.queue.last(), &self.course) {
+            let corner_feed_v = self.current.instantaneous_corner_velocity;
+            join(&mut item, &course, last, before, corner_feed_v);
         }
-        self.cut_before(&next.item, sink);
-        self.queue.push(next.item);
-        self.previous = Some(next);
+        if item.start_v2 == 0.0 {
+            self.flush(self.queue.len(), Backward::default(), sink);
+        } else if self.queue.len() >= BATCH && self.queue.len().is_multiple_of(BATCH) {
+            self.cut(sink);
+        }
+        self.queue.push(item);
+        self.course = Some(course);
     }
 
     /// Plans everything queued as ending in a standstill.
     pub(super) fn stop(&mut self, sink: &mut impl Sink) {
         self.flush(self.queue.len(), Backward::default(), sink);
-        self.previous = None;
+        self.course = None;
         self.left_cruise_v2 = 0.0;
     }
 
@@ -276,31 +290,14 @@ impl Klipper {
         }
     }
 
-    /// Plans what the arrival of `next` makes certain.
-    #[inline]
-    fn cut_before(&mut self, next: &Move, sink: &mut impl Sink) {
-        if next.start_v2 == 0.0 {
-            self.flush(self.queue.len(), Backward::default(), sink);
-        } else if self.queue.len() >= BATCH {
-            self.cut_behind_settled(next, sink);
-        }
-    }
-
-    /// Where two moves in a row are settled and the first can slow down, nothing that follows
-    /// changes the backward pass before them: the state it would have there is known already.
-    #[inline]
-    fn cut_behind_settled(&mut self, next: &Move, sink: &mut impl Sink) {
-        let Some(last) = self.queue.last() else { return };
-        let full_v2 = last.smoothed_start_v2 + last.smoothed_delta_v2;
-        if next.is_settled() && last.is_settled() && full_v2 > next.smoothed_start_v2 {
-            let reachable_v2 = next.smoothed_start_v2 + last.smoothed_delta_v2;
-            let backward = Backward {
-                next_v2: last.start_v2,
-                next_smoothed_v2: last.smoothed_start_v2,
-                peak_v2: (last.smoothed_start_v2 + reachable_v2) / 2.0,
-                pending: 0,
-            };
-            self.flush(self.queue.len() - 1, backward, sink);
+    /// Plans as many moves as nothing that follows can change.
+    fn cut(&mut self, sink: &mut impl Sink) {
+        let settled = self.queue.windows(2).enumerate().rev().take(BATCH).find_map(|(at, pair)| {
+            let [first, second] = pair else { return None };
+            Some((at, Backward::before_settled(first, second)?))
+        });
+        if let Some((count, backward)) = settled {
+            self.flush(count, backward, sink);
         } else if self.queue.len() >= MOST {
             self.cut_in_half(sink);
         }
@@ -325,44 +322,48 @@ impl Klipper {
 
     /// Plans the first `count` moves, the state of the backward pass behind them given, and drops
     /// them from the queue.
-    #[inline]
     fn flush(&mut self, count: usize, mut backward: Backward, sink: &mut impl Sink) {
+        let end_v2 = backward.next_v2;
         self.plans.clear();
         self.plans.extend(self.queue.iter().take(count).rev().map(|item| backward.step(item)));
+        let ends_v2 = self.plans.iter().rev().map(|plan| plan.0).skip(1).chain([end_v2]);
+        let plans = self.plans.iter().rev().zip(ends_v2);
         let mut cruise_v2 = self.left_cruise_v2;
-        for (item, plan) in self.queue.drain(..count).zip(self.plans.iter().rev()) {
-            cruise_v2 = plan.cruise_v2.unwrap_or(lesser(cruise_v2, plan.start_v2));
-            let entry_v2 = lesser(plan.start_v2, cruise_v2);
-            let exit_v2 = lesser(plan.end_v2, cruise_v2);
+        for (item, (&(start_v2, own_v2), end_v2)) in self.queue.drain(..count).zip(plans) {
+            cruise_v2 = if own_v2 < f64::INFINITY { own_v2 } else { lesser(cruise_v2, start_v2) };
+            let (entry_v2, exit_v2) = (lesser(start_v2, cruise_v2), lesser(end_v2, cruise_v2));
             sink.take(item.tag, duration(item.length_d, item.accel, entry_v2, cruise_v2, exit_v2));
         }
         self.left_cruise_v2 = cruise_v2;
     }
 }
 
-/// The greatest speed at the junction of two moves; zero beside a move of the filament alone.
+/// Sets the greatest speed at the junction with the last move; zero beside a move of the filament
+/// alone.
 #[inline]
-fn join(next: &mut Previous, previous: &Previous, corner_feed_v: f64) {
-    let (Some(direction), Some(before)) = (next.direction, previous.direction) else { return };
-    let (item, last) = (&mut next.item, &previous.item);
+fn join(item: &mut Move, course: &Course, last: &Move, before: &Course, corner_feed_v: f64) {
+    let (Some(direction), Some(last_direction)) = (course.direction, before.direction) else {
+        return;
+    };
     let mut start_v2 = lesser(item.top_v2, last.top_v2);
-    let feed_change = next.feed_ratio - previous.feed_ratio;
+    let feed_change = course.feed_ratio - before.feed_ratio;
     if feed_change != 0.0 {
         let corner_v = corner_feed_v / feed_change;
         start_v2 = lesser(start_v2, corner_v * corner_v);
     }
-    let cosine = -direction.dot(before);
-    let half_sine = ((1.0 - cosine) / 2.0).max(0.0).sqrt();
-    let half_cosine = ((1.0 + cosine) / 2.0).max(0.0).sqrt();
-    if half_sine < 1.0 {
-        let radius_ratio = half_sine / (1.0 - half_sine);
+    // Halves of the angle between the strokes. With s² + k² = 1, s/(1 − s) is s(1 + s)/k² and
+    // s/(4k) is sk/(4k²): one division, and exact where the strokes are nearly in line.
+    let cosine = -direction.dot(last_direction);
+    let half_cosine_squared = (1.0 + cosine) / 2.0;
+    if half_cosine_squared > 0.0 {
+        let half_sine = (1.0 - half_cosine_squared).max(0.0).sqrt();
+        let scale = half_sine / half_cosine_squared;
+        let radius_ratio = scale * (1.0 + half_sine);
         let centripetal =
-            lesser(next.junction_deviation * item.accel, previous.junction_deviation * last.accel);
+            lesser(course.junction_deviation * item.accel, before.junction_deviation * last.accel);
         start_v2 = lesser(start_v2, radius_ratio * centripetal);
-    }
-    if half_cosine > 0.0 {
-        // The arc must not be longer than either move allows: its centripetal limit.
-        let quarter_tangent = half_sine / (4.0 * half_cosine);
+        // The arc must not be longer than either move allows.
+        let quarter_tangent = scale * half_cosine_squared.sqrt() / 4.0;
         start_v2 = lesser(start_v2, quarter_tangent * lesser(item.delta_v2, last.delta_v2));
     }
     item.start_v2 = lesser(start_v2, last.start_v2 + last.delta_v2);
