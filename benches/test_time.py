@@ -49,12 +49,12 @@ def test_four_cores_time_files_two_and_a_half_times_as_fast(benchmark, text, tmp
         path.write_bytes(text)
     script = (
         "import sys, time\n"
-        "from wireprint.timing import Allowances, Machine\n"
-        "machine = Machine.of(None, 'prusa-mk4s', 'pla', 'klipper')\n"
+        "from wireprint.timing import Choice, estimate_files\n"
+        "choice = Choice(printer='prusa-mk4s', firmware='klipper')\n"
         "times = []\n"
         "for _ in range(5):\n"
         "    begin = time.perf_counter()\n"
-        "    machine.estimate_files(sys.argv[1:], Allowances())\n"
+        "    estimate_files(sys.argv[1:], choice)\n"
         "    times.append(time.perf_counter() - begin)\n"
         "print(min(times))\n"
     )

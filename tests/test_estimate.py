@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from wireprint import catalogue, limits
 from wireprint._core import GcodeError, SettingError
+from wireprint.gcode.document import footer
 from wireprint.settings import Settings
-from wireprint.timing import Allowances, clock, estimate
+from wireprint.timing import Allowances, Choice, clock, estimate, estimate_files
 
 MACHINE = {
     "kinematics": "cartesian",
@@ -115,6 +116,19 @@ def test_a_printer_is_timed_by_its_own_firmware():
     own = estimate(PRINT, printer="voron-2.4")
     assert own == estimate(PRINT, printer="voron-2.4", firmware="klipper")
     assert own != estimate(PRINT, printer="voron-2.4", firmware="marlin")
+
+
+def test_a_file_of_ours_is_timed_on_the_machine_that_it_was_made_for(tmp_path):
+    settings = Settings.load(printer="voron-2.4", material="petg")
+    text = PRINT + footer(settings, 4.1, 3.0, 1)
+    path = tmp_path / "print.gcode"
+    path.write_bytes(text)
+    expected = estimate(PRINT, printer="voron-2.4", material="petg")
+    assert estimate(text) == estimate(path) == expected
+    assert estimate(text, printer="kossel-mini", material="abs") == estimate(PRINT)
+    other = tmp_path / "other.gcode"
+    other.write_bytes(PRINT)
+    assert estimate_files([path, other, path], Choice()) == [expected, estimate(PRINT), expected]
 
 
 def test_limits_come_from_a_table_of_a_file(tmp_path):

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import _core
 from wireprint import limits as motion_limits
-from wireprint._core import GcodeError
+from wireprint._core import GcodeError, SettingError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -19,6 +20,10 @@ if TYPE_CHECKING:
 
     from wireprint.limits import Firmware, MotionTable
     from wireprint.settings import Settings
+
+
+#: More than the settings at a file's end take.
+_TAIL_BYTES: Final = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +92,8 @@ class PerMove:
 class Estimate:
     """The time that a file takes, and where it goes."""
 
+    #: Whose planner it is the time of.
+    firmware: str
     #: Everything: motion, dwells and allowances, s.
     total_s: float
     #: Time in motion, s.
@@ -132,7 +139,7 @@ def estimate(
     limits: Mapping[str, Any] | str | None = None,
     *,
     printer: str | None = None,
-    material: str = "abs",
+    material: str | None = None,
     firmware: Firmware | None = None,
     allowances: Allowances = Allowances(),
     per_move: bool = False,
@@ -147,9 +154,10 @@ def estimate(
         The machine's limits (mm, mm/s, mm/s²): a mapping with the keys of ``[motion]`` in a
         printer's profile and ``kinematics``, or ``FILE.toml#TABLE``.
     printer
-        In place of `limits`: name of a profile, or path of one.
+        In place of `limits`: name of a profile, or path of one. Default: the printer that the file
+        was made for if wireprint wrote it, else kossel-mini.
     material
-        Profile whose density and price apply to the filament.
+        Profile whose density and price apply to the filament. Default: likewise, else abs.
     firmware
         ``klipper``, ``marlin`` (junction deviation) or ``marlin-jerk`` (classic jerk). Default: the
         printer's own; ``klipper`` for `limits`.
@@ -174,69 +182,117 @@ def estimate(
     >>> round(estimate(b"G1 X100 F6000", printer="printrbot-simple").total_s, 2)
     1.05
     """
-    machine = Machine.of(limits, printer, material, firmware)
+    choice = Choice(limits, printer, material, firmware)
+    if not isinstance(source, bytes):
+        return estimate_files([source], choice, allowances, per_move=per_move)[0]
+    machine = choice.machine(source)
     options = _options(allowances, per_move)
-    if isinstance(source, bytes):
-        found = _core.estimate(source, machine.limits, machine.firmware, **options)
-        return _checked(found, "the text", machine.filament)
-    return machine.estimate_files([source], allowances, per_move=per_move)[0]
+    found = _core.estimate(source, machine.limits, machine.firmware, **options)
+    return _checked(found, "the text", machine)
+
+
+def estimate_files(
+    paths: Sequence[str | os.PathLike[str]],
+    choice: Choice,
+    allowances: Allowances = Allowances(),
+    *,
+    per_move: bool = False,
+) -> list[Estimate]:
+    """Time files in parallel, the results in their order.
+
+    Parameters
+    ----------
+    paths
+        G-code files.
+    choice
+        What is known of the machine.
+    allowances, per_move
+        As for `estimate`.
+
+    Raises
+    ------
+    GcodeError
+        For the first file that cannot be read.
+    """
+    machines = [choice.machine(_tail(path)) for path in paths]
+    found: list[Estimate | None] = [None] * len(paths)
+    for machine in (one for i, one in enumerate(machines) if one not in machines[:i]):
+        places = [i for i, one in enumerate(machines) if one == machine]
+        results = _core.estimate_files(
+            [os.fspath(paths[i]) for i in places],
+            machine.limits,
+            machine.firmware,
+            **_options(allowances, per_move),
+        )
+        for i, result in zip(places, results, strict=True):
+            found[i] = _checked(result, os.fspath(paths[i]), machine)
+    return [one for one in found if one is not None]
 
 
 @dataclass(frozen=True, slots=True)
 class Machine:
-    """What all files of one run share."""
+    """What a file is timed on."""
 
     limits: MotionTable
     firmware: Firmware
     filament: Filament
 
-    @classmethod
-    def of(
-        cls,
-        limits: Mapping[str, Any] | str | None,
-        printer: str | None,
-        material: str,
-        firmware: Firmware | None,
-    ) -> Machine:
-        """Resolve the arguments of `estimate`."""
-        from wireprint.settings import Settings
 
-        chosen = {} if printer is None else {"printer": printer}
-        settings = Settings.load(material=material, **chosen)
-        filament = Filament.of(settings)
-        if limits is None:
-            own = motion_limits.firmware_of(settings.printer)
-            return cls(motion_limits.of_printer(settings.printer), firmware or own, filament)
-        if printer is not None:
-            raise _core.SettingError("limits and printer exclude each other")
-        if isinstance(limits, str):
-            return cls(motion_limits.of_file(limits), firmware or "klipper", filament)
-        return cls(motion_limits.of_mapping(limits), firmware or "klipper", filament)
+@dataclass(frozen=True)
+class Choice:
+    """What is known of the machine; what is None follows from the file, as for `estimate`."""
 
-    def estimate_files(
-        self,
-        paths: Sequence[str | os.PathLike[str]],
-        allowances: Allowances,
-        *,
-        per_move: bool = False,
-    ) -> list[Estimate]:
-        """Time files in parallel, the results in their order.
+    limits: Mapping[str, Any] | str | None = None
+    printer: str | None = None
+    material: str | None = None
+    firmware: Firmware | None = None
+
+    def machine(self, text: bytes) -> Machine:
+        """Return the machine for a file, given its end, where wireprint writes its settings.
 
         Raises
         ------
-        GcodeError
-            For the first file that cannot be read.
+        SettingError
+            A profile or limit is wrong.
         """
-        found = _core.estimate_files(
-            [os.fspath(path) for path in paths],
-            self.limits,
-            self.firmware,
-            **_options(allowances, per_move),
+        if self.limits is not None and self.printer is not None:
+            raise SettingError("limits and printer exclude each other")
+        from wireprint.gcode.document import settings_in
+
+        own = settings_in(text) if self.material is None or self._limits is None else None
+        return self._chosen if own is None else self._machine(own)
+
+    @cached_property
+    def _limits(self) -> MotionTable | None:
+        """Limits that do not depend on the file."""
+        if self.limits is None:
+            return None if self.printer is None else motion_limits.of_printer(self._known.printer)
+        if isinstance(self.limits, str):
+            return motion_limits.of_file(self.limits)
+        return motion_limits.of_mapping(self.limits)
+
+    @cached_property
+    def _known(self) -> Settings:
+        """Settings of a file that states none."""
+        from wireprint.settings import Settings
+
+        given = {"printer": self.printer, "material": self.material}
+        return Settings.load(**{name: value for name, value in given.items() if value is not None})
+
+    @cached_property
+    def _chosen(self) -> Machine:
+        return self._machine(self._known)
+
+    def _machine(self, settings: Settings) -> Machine:
+        """Return the machine of a file's settings, as far as nothing else was chosen."""
+        printer = settings.printer if self.printer is None else self._known.printer
+        material = settings.material if self.material is None else self._known.material
+        its_own = "klipper" if self.limits is not None else motion_limits.firmware_of(printer)
+        filament = Filament(
+            printer.extruder.filament_diameter_mm, material.density_g_cm3, material.price_per_kg
         )
-        return [
-            _checked(one, os.fspath(path), self.filament)
-            for one, path in zip(found, paths, strict=True)
-        ]
+        limits = self._limits or motion_limits.of_printer(printer)
+        return Machine(limits, self.firmware or its_own, filament)
 
 
 def clock(seconds: float) -> str:
@@ -251,7 +307,15 @@ def _options(allowances: Allowances, per_move: bool) -> dict[str, Any]:
     return {"allowances_s": times, "per_move": per_move}
 
 
-def _checked(found: _core.Estimate | Exception, name: str, filament: Filament) -> Estimate:
+def _tail(path: str | os.PathLike[str]) -> bytes:
+    """End of a file, which holds the settings that wireprint wrote there."""
+    with open(path, "rb") as file:
+        file.seek(0, os.SEEK_END)
+        file.seek(max(0, file.tell() - _TAIL_BYTES))
+        return file.read()
+
+
+def _checked(found: _core.Estimate | Exception, name: str, machine: Machine) -> Estimate:
     if isinstance(found, Exception):
         raise found
     if found.moves == 0 and found.garbage_lines > 0:
@@ -259,6 +323,7 @@ def _checked(found: _core.Estimate | Exception, name: str, filament: Filament) -
         raise GcodeError(msg)
     rows = found.per_move
     return Estimate(
+        firmware=machine.firmware,
         total_s=found.total_s,
         moving_s=found.moving_s,
         dwell_s=found.dwell_s,
@@ -268,8 +333,8 @@ def _checked(found: _core.Estimate | Exception, name: str, filament: Filament) -
         by_feature=dict(found.by_feature),
         by_layer=tuple(LayerTime(z_mm, time_s) for z_mm, time_s in found.by_layer),
         filament_mm=found.filament_mm,
-        filament_g=filament.grams(found.filament_mm),
-        filament_cost=filament.cost(found.filament_mm),
+        filament_g=machine.filament.grams(found.filament_mm),
+        filament_cost=machine.filament.cost(found.filament_mm),
         moves=found.moves,
         garbage_lines=found.garbage_lines,
         per_move=None if rows is None else PerMove(*rows[:3], tuple(rows[3])),

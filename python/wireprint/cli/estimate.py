@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from wireprint.limits import FIRMWARES, Firmware
-from wireprint.timing import Allowances, Estimate, Machine, clock
+from wireprint.timing import Allowances, Choice, Estimate, clock, estimate_files
 
 
 @click.command()
@@ -23,9 +23,11 @@ from wireprint.timing import Allowances, Estimate, Machine, clock
     type=click.Choice(FIRMWARES),
     help="Whose planner; default: the printer's own, klipper with --limits.",
 )
-@click.option("--printer", help="Profile whose limits apply; default: kossel-mini.")
+@click.option(
+    "--printer", help="Profile whose limits apply; default: the file's own, else kossel-mini."
+)
 @click.option("--limits", metavar="FILE.toml#TABLE", help="Limits in place of a printer's.")
-@click.option("--material", default="abs", show_default=True, help="Profile of the filament.")
+@click.option("--material", help="Profile of the filament; default: the file's own, else abs.")
 @click.option(
     "--homing-s", type=click.FloatRange(min=0), default=0.0, help="Seconds allowed for each G28."
 )
@@ -47,7 +49,7 @@ def estimate(
     firmware: Firmware | None,
     printer: str | None,
     limits: str | None,
-    material: str,
+    material: str | None,
     homing_s: float,
     nozzle_heating_s: float,
     bed_heating_s: float,
@@ -58,24 +60,23 @@ def estimate(
     FILES may come from any program. The time is that of the firmware's own look-ahead planner;
     homing and heating count nothing unless seconds are allowed for them.
     """
-    machine = Machine.of(limits, printer, material, firmware)
+    choice = Choice(limits, printer, material, firmware)
     allowances = Allowances(homing_s, nozzle_heating_s, bed_heating_s)
-    estimates = machine.estimate_files(files, allowances)
+    estimates = estimate_files(files, choice, allowances)
     if as_json:
         objects = [
-            {"file": str(path), "firmware": machine.firmware, **one.to_dict()}
-            for path, one in zip(files, estimates, strict=True)
+            {"file": str(path), **one.to_dict()} for path, one in zip(files, estimates, strict=True)
         ]
         click.echo(json.dumps(objects[0] if len(objects) == 1 else objects, indent=2))
         return
     for path, one in zip(files, estimates, strict=True):
-        _show(path, machine.firmware, one)
+        _show(path, one)
     if len(files) > 1:
         click.echo(f"all: {clock(sum(one.total_s for one in estimates))}")
 
 
-def _show(path: Path, firmware: Firmware, one: Estimate) -> None:
-    click.echo(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {firmware})")
+def _show(path: Path, one: Estimate) -> None:
+    click.echo(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {one.firmware})")
     rows = dict(sorted(one.by_feature.items(), key=lambda row: -row[1]))
     rows |= {"homing": one.homing_s, "heating": one.heating_s}
     for name, seconds in rows.items():
