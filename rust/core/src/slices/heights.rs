@@ -53,7 +53,8 @@ const MOST_CANDIDATES: f64 = 400.0;
 const SKIP_FINE: f64 = 20.0;
 /// A feature's size counts up to this many greatest slabs.
 const LARGEST: f64 = 4.0;
-/// Fine, in seconds, for each post that a contour lacks to stand on three.
+/// Fine, in seconds, for a contour that stands on fewer than three posts: times the square of the
+/// number it lacks.
 const WOBBLE_FINE: f64 = 4.0;
 /// Walls that lean more than this part of the longest free end are fined …
 const LEAN: f64 = 0.75;
@@ -244,9 +245,9 @@ impl Costs<'_> {
     }
 }
 
-/// How many posts the loops lack, together, to stand on three each.
+/// The squares of the numbers of posts that the loops lack to stand on three each, summed.
 fn wobble(outline: &Outline, spacing: f64) -> f64 {
-    outline.lengths.iter().map(|l| (3.0 - (l / spacing).floor()).max(0.0)).sum()
+    outline.lengths.iter().map(|l| (3.0 - (l / spacing).floor()).max(0.0).powi(2)).sum()
 }
 
 /// Dijkstra on a line: heights only go up, so one sweep settles them.

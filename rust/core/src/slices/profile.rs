@@ -10,12 +10,17 @@ use crate::mesh::Mesh;
 
 /// Number of directions told apart.
 const DIRECTIONS: usize = 16;
+/// Faces that lean more than this (mm outwards per mm upwards) are roofs or floors, not walls, and
+/// are kept apart from the walls that look the same way.
+const LEANING: f64 = 2.0;
+/// Number of kinds of face: walls and leaning ones of each direction.
+const KINDS: usize = 2 * DIRECTIONS;
 /// Slopes (mm outwards per mm upwards) beyond this count as this: a flat face is no wall.
 const STEEPEST: f64 = 20.0;
 /// Faces a task, fixed so that sums do not depend on the number of threads.
 const CHUNK: usize = 1 << 16;
 
-/// The faces of one direction in one layer.
+/// The faces of one kind in one layer.
 #[derive(Debug, Clone, Copy, Default)]
 struct Cell {
     /// Area, mm².
@@ -42,7 +47,7 @@ impl Profile {
         let layers = (((top - bottom) / step).ceil() as usize).max(1);
         let step = (top - bottom).max(f64::MIN_POSITIVE) / layers as f64;
         let empty =
-            Self { bottom, step, layers, cells: vec![Cell::default(); layers * DIRECTIONS] };
+            Self { bottom, step, layers, cells: vec![Cell::default(); layers * KINDS] };
         let parts: Vec<Vec<Cell>> = mesh
             .faces
             .par_chunks(CHUNK)
@@ -78,13 +83,14 @@ impl Profile {
         let slope = (-normal.z / across).clamp(-STEEPEST, STEEPEST);
         let turn = normal.y.atan2(normal.x) / std::f64::consts::TAU;
         let direction = ((turn.rem_euclid(1.0) * DIRECTIONS as f64) as usize).min(DIRECTIONS - 1);
+        let kind = if slope.abs() > LEANING { DIRECTIONS + direction } else { direction };
         let low = a.z.min(b.z).min(c.z);
         let high = a.z.max(b.z).max(c.z);
         let (first, last) = (self.layer(low), self.layer(high));
         // The face, spread evenly over its layers.
         let share = 1.0 / (last - first + 1) as f64;
         for layer in first..=last {
-            let cell = &mut cells[layer * DIRECTIONS + direction];
+            let cell = &mut cells[layer * KINDS + kind];
             cell.area += share * normal.length();
             cell.upright += share * across;
             cell.slope += share * across * slope;
@@ -96,13 +102,13 @@ impl Profile {
     }
 
     /// Mean distance, mm, between the surface and the ruled strip from height `from` to `to`, and
-    /// the area, mm², of the directions in which the strip leans more than `longest` mm.
+    /// the area, mm², of the kinds of face that lean over more than `longest` mm.
     #[must_use]
     pub fn deviation(&self, from: f64, to: f64, longest: f64) -> (f64, f64) {
         let (first, last) = (self.layer(from + 0.5 * self.step), self.layer(to - 0.5 * self.step));
         let (mut sum, mut area, mut leaning) = (0.0, 0.0, 0.0);
-        for direction in 0..DIRECTIONS {
-            let (s, a, lean) = self.direction_deviation(direction, first, last.max(first));
+        for kind in 0..KINDS {
+            let (s, a, lean) = self.kind_deviation(kind, first, last.max(first));
             sum += s;
             area += a;
             leaning += if lean.abs() > longest { a } else { 0.0 };
@@ -110,9 +116,9 @@ impl Profile {
         (if area > 0.0 { sum / area } else { 0.0 }, leaning)
     }
 
-    /// Deviation times area, area, and lean of one direction between two layers.
-    fn direction_deviation(&self, direction: usize, first: usize, last: usize) -> (f64, f64, f64) {
-        let cell = |layer: usize| self.cells[layer * DIRECTIONS + direction];
+    /// Deviation times area, area, and lean of one kind of face between two layers.
+    fn kind_deviation(&self, kind: usize, first: usize, last: usize) -> (f64, f64, f64) {
+        let cell = |layer: usize| self.cells[layer * KINDS + kind];
         let total: f64 = (first..=last).map(|l| cell(l).slope).sum();
         let mean = total / (last - first + 1) as f64;
         let upright = 1.0 / (1.0 + mean * mean).sqrt();
