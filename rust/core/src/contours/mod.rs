@@ -35,4 +35,6 @@ pub struct Contour {
     pub depth: u32,
     /// Signed area, mm²; negative for a hole, 0 for an open contour.
     pub area: f64,
+    /// Whether it belongs to a support, not to the model.
+    pub support: bool,
 }

@@ -69,7 +69,7 @@ fn tree(loops: Vec<Loop>, areas: &[Option<f64>], parents: &[Option<u32>]) -> Vec
         stack.extend(children[index].iter().map(|&child| (child, Some(here), depth + 1)));
         let Some(Loop { points, faces, closed }) = loops[index].take() else { continue };
         let area = areas[index].unwrap_or(0.0);
-        contours.push(Contour { points, faces, closed, parent, depth, area });
+        contours.push(Contour { points, faces, closed, parent, depth, area, support: false });
     }
     contours
 }

@@ -28,3 +28,18 @@ pub fn length(points: &[DVec2], closed: bool) -> f64 {
 pub(super) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (a - c).perp_dot(b - c)
 }
+
+/// Whether a point lies within a closed ring (even–odd rule).
+#[must_use]
+pub fn contains(points: &[DVec2], p: DVec2) -> bool {
+    let mut inside = false;
+    let mut from = points.last().copied().unwrap_or_default();
+    for &to in points {
+        // Half-open in y, so that a vertex on the ray counts once.
+        if (from.y > p.y) != (to.y > p.y) && (turn(from, to, p) > 0.0) == (to.y > from.y) {
+            inside = !inside;
+        }
+        from = to;
+    }
+    inside
+}

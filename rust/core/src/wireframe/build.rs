@@ -7,10 +7,11 @@
 use glam::{DVec2, DVec3};
 
 use super::builder::Builder;
+use super::columns::{self, Need};
 use super::curve::Curve;
 use super::posts::Post;
 use super::rim::Rim;
-use super::{PlacedPost, Reason, Sliced, Unprinted, WireParams, Wireframe};
+use super::{Kind, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
 use crate::contours::Contour;
 use crate::head::Head;
 
@@ -53,20 +54,39 @@ pub struct Build<'a> {
     pub(super) out: Builder<'a>,
     pub(super) posts: Vec<PlacedPost>,
     pub(super) unprinted: Vec<Unprinted>,
+    pub(super) needs: Vec<Need>,
 }
 
-/// Lays the strands of a sliced model.
+/// What a pass of the build comes to.
+struct Laid {
+    posts: Vec<PlacedPost>,
+    strands: Vec<Strand>,
+    unprinted: Vec<Unprinted>,
+    needs: Vec<Need>,
+}
+
+/// Lays the strands of a sliced model; a second pass adds supports where the first one found
+/// that they are needed.
 #[must_use]
-pub fn build(sliced: Sliced, head: &Head, p: &WireParams) -> Wireframe {
+pub fn build(mut sliced: Sliced, head: &Head, p: &WireParams) -> Wireframe {
+    let mut laid = lay(&sliced, head, p);
+    if p.supports && !laid.needs.is_empty() {
+        columns::add(&mut sliced, &laid.needs);
+        laid = lay(&sliced, head, p);
+    }
+    let Laid { posts, strands, unprinted, .. } = laid;
+    Wireframe { posts, strands, unprinted, sliced }
+}
+
+fn lay(sliced: &Sliced, head: &Head, p: &WireParams) -> Laid {
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(1.0, f64::max);
     let out = Builder::new(head, p.strand, head.clearance(tallest), low, high);
-    let mut build =
-        Build { sliced: &sliced, p, head, out, posts: Vec::new(), unprinted: Vec::new() };
+    let (posts, unprinted, needs) = (Vec::new(), Vec::new(), Vec::new());
+    let mut build = Build { sliced, p, head, out, posts, unprinted, needs };
     build.run();
-    let Build { out, posts, unprinted, .. } = build;
-    let strands = out.strands;
-    Wireframe { posts, strands, unprinted, sliced }
+    let Build { out, posts, unprinted, needs, .. } = build;
+    Laid { posts, strands: out.strands, unprinted, needs }
 }
 
 impl Build<'_> {
@@ -89,7 +109,8 @@ impl Build<'_> {
         while let Some(i) = self.take_nearest(&mut waiting, contours) {
             let Some(curve) = Curve::new(&contours[i].points, contours[i].closed) else { continue };
             let start = self.seam(&curve);
-            ground.rims[i] = Some(self.out.ring(&curve, start, &[], z, BED_FOLLOW));
+            let kind = if contours[i].support { Kind::Support } else { Kind::Contour };
+            ground.rims[i] = Some(self.out.ring(&curve, start, &[], z, BED_FOLLOW, kind));
         }
         for floor in self.sliced.ledges[0].iter().flatten() {
             self.close(0, contours, floor, &floor.upper, &mut ground);

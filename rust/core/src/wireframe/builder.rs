@@ -110,10 +110,11 @@ impl<'a> Builder<'a> {
         posts: &[Post],
         z: f64,
         tolerance: f64,
+        kind: Kind,
     ) -> Rim {
         let closed = curve.is_closed();
         let mut points = ring_points(curve, start, posts, z, tolerance);
-        self.polyline(&points, Kind::Contour);
+        self.polyline(&points, kind);
         if closed && points.len() > 1 {
             points.pop();
         }

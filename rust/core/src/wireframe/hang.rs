@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use super::Kind;
 use super::build::{Build, Ground, Standing};
+use super::columns::needs;
 use super::curve::Curve;
 use super::hatch::bridges;
 use super::posts::{Post, even_spacing};
@@ -12,47 +13,66 @@ use super::rim::Rim;
 use super::slab::gaps;
 use super::walls::Walls;
 use super::zigzag::{Placement, ZigzagInput, zigzag};
+use crate::contours::Contour;
 
-/// Ties stand this part of the distance between a cap's strands apart at least.
-const TIE: f64 = 0.8;
+/// Gaps wider than this part of the longest span want a support.
+const WIDE: f64 = 0.6;
+/// The strokes of a ledge stand this part of the distance between a cap's strands apart at least.
+pub const LEDGE: f64 = 0.8;
+/// Ties, which only hold, stand so many times that distance apart.
+const TIE: f64 = 2.0;
 
 impl Build<'_> {
-    /// Hangs a contour on what is printed around it at its height. One that lies `inside` another
+    /// Hangs a contour on what is printed around it at its height. One that lies inside another
     /// becomes part of the surface's caps; one beside the others is supported.
     pub(super) fn hang(
         &mut self,
         curve: &Curve,
         z: f64,
-        inside: bool,
+        level: usize,
+        contour: &Contour,
         printed: &mut Ground,
     ) -> Option<Rim> {
+        let inside = contour.depth > 0;
         if !inside && !self.p.supports {
             return None;
         }
         let kind = if inside { Kind::Cap } else { Kind::Support };
         let neighbours = printed.all();
-        let standing = match self.spokes(curve, z, &neighbours, kind, |_| true) {
-            Some(standing) => standing,
-            None if !self.p.supports => return None,
-            None => {
-                let lines = self.bridge(curve, z, printed)?;
-                let carriers: Vec<&Rim> = lines.iter().collect();
-                let standing = self.spokes(curve, z, &carriers, Kind::Support, |_| true);
-                printed.lines.extend(lines);
-                standing?
-            }
+        let standing = match self.spokes(curve, z, &neighbours, kind, TIE, |_| true) {
+            Some(standing) => Some(standing),
+            None if self.p.supports => self.bridged(curve, z, printed),
+            None => None,
         };
-        let standing = self.tighten(curve, z, standing, printed);
-        Some(self.follow(curve, &standing, z))
+        let Some(standing) = standing else {
+            if !contour.support {
+                self.needs.extend(needs(curve, 0.0, &[], level, 0.0));
+            }
+            return None;
+        };
+        let standing = self.tighten(curve, z, level, standing, printed);
+        let kind = if contour.support { Kind::Support } else { Kind::Contour };
+        Some(self.follow(curve, &standing, z, kind))
     }
 
-    /// A flat zigzag from printed rims out (or in) to the wanted places of a contour.
+    /// Spokes from bridges across the contour's place.
+    fn bridged(&mut self, curve: &Curve, z: f64, printed: &mut Ground) -> Option<Standing> {
+        let lines = self.bridge(curve, z, printed)?;
+        let carriers: Vec<&Rim> = lines.iter().collect();
+        let standing = self.spokes(curve, z, &carriers, Kind::Support, LEDGE, |_| true);
+        printed.lines.extend(lines);
+        standing
+    }
+
+    /// A flat zigzag from printed rims out (or in) to the wanted places of a contour, these at
+    /// least `spacing` times the distance between a cap's strands apart.
     pub(super) fn spokes(
         &mut self,
         curve: &Curve,
         z: f64,
         carriers: &[&Rim],
         kind: Kind,
+        spacing: f64,
         wanted: impl Fn(&Post) -> bool,
     ) -> Option<Standing> {
         if carriers.is_empty() {
@@ -67,7 +87,7 @@ impl Build<'_> {
             rims: carriers,
             walls: &walls,
             wall: 0,
-            least: even_spacing(curve.length(), TIE * self.p.cap_spacing),
+            least: even_spacing(curve.length(), spacing * self.p.cap_spacing),
             on_peaks: false,
             placement: Placement::Optimal,
             strand: self.p.strand,
@@ -82,22 +102,23 @@ impl Build<'_> {
         (!posts.is_empty()).then_some(Standing { contour: 0, start, posts })
     }
 
-    /// Adds ties where a contour's posts leave wide gaps.
+    /// Adds ties where a contour's posts leave wide gaps, and asks for supports where gaps remain.
     pub(super) fn tighten(
         &mut self,
         curve: &Curve,
         z: f64,
+        level: usize,
         standing: Standing,
         printed: &Ground,
     ) -> Standing {
-        let wide = 2.0 * self.p.cap_spacing;
+        let wide = TIE * self.p.cap_spacing;
         let wide_gaps: Vec<(f64, f64)> =
             gaps(curve, &standing.posts).filter(|&(_, gap)| gap > wide).collect();
         if wide_gaps.is_empty() {
             return standing;
         }
         let from_start = |s: f64| curve.forward(standing.start, s);
-        let margin = TIE * self.p.cap_spacing;
+        let margin = LEDGE * self.p.cap_spacing;
         let wanted = |post: &Post| {
             let s = from_start(post.s);
             wide_gaps.iter().any(|&(begin, gap)| {
@@ -110,17 +131,15 @@ impl Build<'_> {
             })
         };
         let neighbours = printed.all();
-        let Some(ties) = self.spokes(curve, z, &neighbours, Kind::Cap, wanted) else {
-            return standing;
-        };
-        let start = standing.start;
-        let moved = ties
-            .posts
-            .iter()
-            .map(|post| Post { s: curve.forward(start, curve.wrap(ties.start + post.s)), ..*post });
-        let mut posts: Vec<Post> = standing.posts.iter().copied().chain(moved).collect();
-        posts.sort_by(|a, b| a.s.total_cmp(&b.s));
-        Standing { contour: standing.contour, start, posts }
+        let ties = self.spokes(curve, z, &neighbours, Kind::Cap, TIE, wanted);
+        let Standing { contour, start, mut posts } = standing;
+        if let Some(ties) = ties {
+            let shifted = |s: f64| curve.forward(start, curve.wrap(ties.start + s));
+            posts.extend(ties.posts.iter().map(|p| Post { s: shifted(p.s), ..*p }));
+            posts.sort_by(|a, b| a.s.total_cmp(&b.s));
+        }
+        self.needs.extend(needs(curve, start, &posts, level, WIDE * self.p.span_limit));
+        Standing { contour, start, posts }
     }
 
     /// Bridges from rim to rim across the place of a contour.

@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use super::build::{Build, Ground};
 use super::curve::Curve;
+use super::hang::LEDGE;
 use super::hatch::hatch;
 use super::rim::{Rim, nearest_of};
 use super::strips::Strip;
@@ -32,8 +33,9 @@ impl Build<'_> {
             for &u in &ledge.upper {
                 let contour = &contours[u as usize];
                 let Some(curve) = Curve::new(&contour.points, contour.closed) else { continue };
-                let rim = self.on_top(&curve, z, contour.depth > 0, ledge, &mut printed);
+                let rim = self.on_top(&curve, level, contour, ledge, &mut printed);
                 match &rim {
+                    _ if contour.support => {}
                     Some(rim) => printed.lines.push(rim.clone()),
                     None => self.leave_out(z, z, ledge.area, curve.position(0.0), Reason::MidAir),
                 }
@@ -54,11 +56,12 @@ impl Build<'_> {
     fn on_top(
         &mut self,
         curve: &Curve,
-        z: f64,
-        inside: bool,
+        level: usize,
+        contour: &Contour,
         ledge: &Strip,
         printed: &mut Ground,
     ) -> Option<Rim> {
+        let z = self.sliced.levels[level].z;
         let carriers: Vec<Rim> =
             ledge.lower.iter().filter_map(|&i| printed.rims[i as usize].clone()).collect();
         let carriers: Vec<&Rim> = carriers.iter().collect();
@@ -68,12 +71,12 @@ impl Build<'_> {
             return Some((*rim).clone());
         }
         if ledge.lower.is_empty() {
-            return self.hang(curve, z, inside, printed);
+            return self.hang(curve, z, level, contour, printed);
         }
         let lifted = z + LIFT * self.p.strand;
-        let standing = self.spokes(curve, lifted, &carriers, Kind::Cap, |_| true)?;
-        let standing = self.tighten(curve, lifted, standing, printed);
-        Some(self.follow(curve, &standing, lifted))
+        let standing = self.spokes(curve, lifted, &carriers, Kind::Cap, LEDGE, |_| true)?;
+        let standing = self.tighten(curve, lifted, level, standing, printed);
+        Some(self.follow(curve, &standing, lifted, Kind::Contour))
     }
 
     /// Closes what ends at the foot of this slab.

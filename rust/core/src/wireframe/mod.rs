@@ -2,6 +2,7 @@
 
 mod build;
 mod builder;
+mod columns;
 pub mod curve;
 mod hang;
 mod hatch;

@@ -80,7 +80,9 @@ impl Build<'_> {
             self.print_bare_rims(job, ground);
         }
         let own: Vec<&Rim> = job.carriers.iter().filter_map(|&i| ground.rims[i].as_ref()).collect();
-        let standing = self.stand_on(top, job, &own, Kind::Post);
+        let support = self.sliced.lower[top.slab + 1][job.contour].support;
+        let kind = if support { Kind::Support } else { Kind::Post };
+        let standing = self.stand_on(top, job, &own, kind);
         if standing.is_some() || !self.p.supports {
             return standing;
         }
@@ -119,7 +121,9 @@ impl Build<'_> {
         });
         let down = if up == Kind::Post { Kind::Diagonal } else { up };
         let posts = self.out.zigzag(&steps, up, down, self.p.span_limit);
-        self.note(top, job, &posts);
+        if up == Kind::Post {
+            self.note(top, job, &posts);
+        }
         (!posts.is_empty()).then_some(Standing { contour: job.contour, start, posts })
     }
 
@@ -170,13 +174,15 @@ impl Build<'_> {
         if self.p.pattern == Pattern::Peaks && self.needs_no_ring(top.slab + 1, standing) {
             return Rim { points: peaks(), closed: curve.is_closed(), printed: false };
         }
-        self.follow(curve, standing, top.z)
+        let support = self.sliced.lower[top.slab + 1][standing.contour].support;
+        let kind = if support { Kind::Support } else { Kind::Contour };
+        self.follow(curve, standing, top.z, kind)
     }
 
     /// Prints a contour in the air.
-    pub(super) fn follow(&mut self, curve: &Curve, standing: &Standing, z: f64) -> Rim {
+    pub(super) fn follow(&mut self, curve: &Curve, standing: &Standing, z: f64, kind: Kind) -> Rim {
         let tolerance = FOLLOW * self.p.strand;
-        self.out.ring(curve, standing.start, &standing.posts, z, tolerance)
+        self.out.ring(curve, standing.start, &standing.posts, z, tolerance, kind)
     }
 
     /// Whether a contour only leads from one plain slab to the next.
@@ -204,14 +210,20 @@ impl Build<'_> {
     fn hang_rest(&mut self, top: &Top, loose: Vec<Standing>, bare: &[Job], printed: &mut Ground) {
         for standing in loose {
             let Some(curve) = &top.curves[standing.contour] else { continue };
-            let standing = self.tighten(curve, top.z, standing, printed);
-            printed.rims[standing.contour] = Some(self.follow(curve, &standing, top.z));
+            let contour = &self.sliced.lower[top.slab + 1][standing.contour];
+            // A column that stands on one leg is no less a support.
+            let standing = if contour.support {
+                standing
+            } else {
+                self.tighten(curve, top.z, top.slab + 1, standing, printed)
+            };
+            printed.rims[standing.contour] = Some(self.ring(top, &standing));
         }
         for job in bare {
             let Some(curve) = &top.curves[job.contour] else { continue };
-            let depth = self.sliced.lower[top.slab + 1][job.contour].depth;
-            let rim = self.hang(curve, top.z, depth > 0, printed);
-            if rim.is_none() {
+            let contour = &self.sliced.lower[top.slab + 1][job.contour];
+            let rim = self.hang(curve, top.z, top.slab + 1, contour, printed);
+            if rim.is_none() && !contour.support {
                 let born = job.carriers.is_empty();
                 let reason = if born { Reason::MidAir } else { Reason::NoFoothold };
                 self.give_up(top.slab, job.strip, reason);
