@@ -102,7 +102,7 @@ impl Profile {
     }
 
     /// Mean distance, mm, between the surface and the ruled strip from height `from` to `to`, and
-    /// the area, mm², of the kinds of face that lean over more than `longest` mm.
+    /// how far kinds of face lean over more than `longest` mm: the excess as a share, times area.
     #[must_use]
     pub fn deviation(&self, from: f64, to: f64, longest: f64) -> (f64, f64) {
         let (first, last) = (self.layer(from + 0.5 * self.step), self.layer(to - 0.5 * self.step));
@@ -111,7 +111,7 @@ impl Profile {
             let (s, a, lean) = self.kind_deviation(kind, first, last.max(first));
             sum += s;
             area += a;
-            leaning += if lean.abs() > longest { a } else { 0.0 };
+            leaning += a * (lean.abs() / longest - 1.0).max(0.0);
         }
         (if area > 0.0 { sum / area } else { 0.0 }, leaning)
     }

@@ -7,10 +7,11 @@
 use glam::{DVec2, DVec3};
 
 use super::builder::Builder;
-use super::columns::{self, Need};
+use super::columns::{self, Wants};
 use super::curve::Curve;
 use super::posts::Post;
 use super::rim::Rim;
+use super::strips::Strip;
 use super::{Kind, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
 use crate::contours::Contour;
 use crate::head::Head;
@@ -54,7 +55,7 @@ pub struct Build<'a> {
     pub(super) out: Builder<'a>,
     pub(super) posts: Vec<PlacedPost>,
     pub(super) unprinted: Vec<Unprinted>,
-    pub(super) needs: Vec<Need>,
+    pub(super) wants: Wants,
 }
 
 /// What a pass of the build comes to.
@@ -62,7 +63,7 @@ struct Laid {
     posts: Vec<PlacedPost>,
     strands: Vec<Strand>,
     unprinted: Vec<Unprinted>,
-    needs: Vec<Need>,
+    wants: Wants,
 }
 
 /// Lays the strands of a sliced model; a second pass adds supports where the first one found
@@ -70,8 +71,11 @@ struct Laid {
 #[must_use]
 pub fn build(mut sliced: Sliced, head: &Head, p: &WireParams) -> Wireframe {
     let mut laid = lay(&sliced, head, p);
-    if p.supports && !laid.needs.is_empty() {
-        columns::add(&mut sliced, &laid.needs);
+    if !p.supports {
+        laid.wants.columns.clear();
+    }
+    if !(laid.wants.columns.is_empty() && laid.wants.roofs.is_empty()) {
+        columns::add(&mut sliced, &laid.wants);
         laid = lay(&sliced, head, p);
     }
     let Laid { posts, strands, unprinted, .. } = laid;
@@ -82,11 +86,11 @@ fn lay(sliced: &Sliced, head: &Head, p: &WireParams) -> Laid {
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(1.0, f64::max);
     let out = Builder::new(head, p.strand, head.clearance(tallest), low, high);
-    let (posts, unprinted, needs) = (Vec::new(), Vec::new(), Vec::new());
-    let mut build = Build { sliced, p, head, out, posts, unprinted, needs };
+    let (posts, unprinted, wants) = (Vec::new(), Vec::new(), Wants::default());
+    let mut build = Build { sliced, p, head, out, posts, unprinted, wants };
     build.run();
-    let Build { out, posts, unprinted, needs, .. } = build;
-    Laid { posts, strands: out.strands, unprinted, needs }
+    let Build { out, posts, unprinted, wants, .. } = build;
+    Laid { posts, strands: out.strands, unprinted, wants }
 }
 
 impl Build<'_> {
@@ -112,8 +116,9 @@ impl Build<'_> {
             let kind = if contours[i].support { Kind::Support } else { Kind::Contour };
             ground.rims[i] = Some(self.out.ring(&curve, start, &[], z, BED_FOLLOW, kind));
         }
-        for floor in self.sliced.ledges[0].iter().flatten() {
-            self.close(0, contours, floor, &floor.upper, &mut ground);
+        let closes = |floor: &&Strip| floor.closes(contours, &floor.upper);
+        for floor in self.sliced.ledges[0].iter().flatten().filter(closes) {
+            self.close(0, &floor.upper, &mut ground);
         }
         ground
     }

@@ -29,6 +29,16 @@ pub struct Need {
     pub place: DVec2,
 }
 
+/// What the first pass of a build wants added for the second.
+#[derive(Debug, Default)]
+pub struct Wants {
+    /// Places for columns.
+    pub columns: Vec<Need>,
+    /// Strips, by slab and number, that lean too far to be climbed: their lower contours are
+    /// closed instead.
+    pub roofs: Vec<(usize, usize)>,
+}
+
 /// The places in a contour's wide gaps, wider than `widest` mm; all around where it has no posts.
 pub fn needs(curve: &Curve, start: f64, posts: &[Post], level: usize, widest: f64) -> Vec<Need> {
     let all_around = [(0.0, curve.length())];
@@ -46,9 +56,12 @@ pub fn needs(curve: &Curve, start: f64, posts: &[Post], level: usize, widest: f6
         .collect()
 }
 
-/// Adds columns to the slices under the wanted places.
-pub fn add(sliced: &mut Sliced, needs: &[Need]) {
-    for need in spread(needs) {
+/// Adds columns to the slices under the wanted places, and roofs.
+pub fn add(sliced: &mut Sliced, wants: &Wants) {
+    for &(slab, strip) in &wants.roofs {
+        sliced.strips[slab][strip].roofed = true;
+    }
+    for need in spread(&wants.columns) {
         let foot = foot(sliced, &need);
         let mut below: Option<u32> = None;
         for level in foot..=need.level {

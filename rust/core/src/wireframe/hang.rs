@@ -46,7 +46,7 @@ impl Build<'_> {
         };
         let Some(standing) = standing else {
             if !contour.support {
-                self.needs.extend(needs(curve, 0.0, &[], level, 0.0));
+                self.wants.columns.extend(needs(curve, 0.0, &[], level, 0.0));
             }
             return None;
         };
@@ -138,7 +138,8 @@ impl Build<'_> {
             posts.extend(ties.posts.iter().map(|p| Post { s: shifted(p.s), ..*p }));
             posts.sort_by(|a, b| a.s.total_cmp(&b.s));
         }
-        self.needs.extend(needs(curve, start, &posts, level, WIDE * self.p.span_limit));
+        let widest = WIDE * self.p.span_limit;
+        self.wants.columns.extend(needs(curve, start, &posts, level, widest));
         Standing { contour, start, posts }
     }
 

@@ -23,8 +23,10 @@ impl Build<'_> {
         let contours = &self.sliced.upper[level];
         let z = self.sliced.levels[level].z;
         let mut ground = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
-        for ledge in ledges.iter().filter(|l| l.upper.is_empty()) {
-            self.close(level, &self.sliced.lower[level], ledge, &ledge.lower, &mut printed);
+        let below = &self.sliced.lower[level];
+        let ends = |l: &&Strip| l.upper.is_empty() && l.closes(below, &l.lower);
+        for ledge in ledges.iter().filter(ends) {
+            self.close(level, &ledge.lower, &mut printed);
         }
         // What is held goes first, for what begins in the air hangs on it.
         let held = ledges.iter().filter(|l| !l.lower.is_empty() && !l.upper.is_empty());
@@ -42,7 +44,9 @@ impl Build<'_> {
                 ground.rims[u as usize] = rim;
             }
             if ledge.lower.is_empty() {
-                self.close(level, contours, ledge, &ledge.upper, &mut ground);
+                if ledge.closes(contours, &ledge.upper) {
+                    self.close(level, &ledge.upper, &mut ground);
+                }
             } else {
                 self.fill_ledge(level, ledge, &mut printed, &ground);
             }
@@ -81,23 +85,17 @@ impl Build<'_> {
 
     /// Closes what ends at the foot of this slab.
     pub(super) fn roofs_of_slab(&mut self, slab: usize, ground: &mut Ground) {
-        for strip in self.sliced.strips[slab].iter().filter(|s| s.upper.is_empty()) {
-            self.close(slab, &self.sliced.upper[slab], strip, &strip.lower, ground);
+        for strip in &self.sliced.strips[slab] {
+            let contours = &self.sliced.upper[slab];
+            if strip.roofed || strip.upper.is_empty() && strip.closes(contours, &strip.lower) {
+                self.close(slab, &strip.lower, ground);
+            }
         }
     }
 
-    /// Closes the region within an odd number of a piece's contours, as they were printed, where
-    /// the piece does close them.
-    pub(super) fn close(
-        &mut self,
-        level: usize,
-        contours: &[Contour],
-        piece: &Strip,
-        which: &[u32],
-        ground: &mut Ground,
-    ) {
-        let all_printed = which.iter().all(|&i| ground.rims[i as usize].is_some());
-        if !self.p.caps || !all_printed || !piece.closes(contours, which) {
+    /// Closes the region within an odd number of the given contours, as they were printed.
+    pub(super) fn close(&mut self, level: usize, which: &[u32], ground: &mut Ground) {
+        if !self.p.caps || which.iter().any(|&i| ground.rims[i as usize].is_none()) {
             return;
         }
         let rings: Vec<&Rim> =

@@ -6,6 +6,7 @@ use super::build::{Build, Ground, Standing};
 use super::curve::Curve;
 use super::posts::Post;
 use super::rim::Rim;
+use super::strips::Strip;
 use super::walls::Walls;
 use super::zigzag::{ZigzagInput, zigzag};
 use super::{Kind, Pattern, PlacedPost, Reason};
@@ -27,6 +28,9 @@ pub struct Job {
     /// The strip between them.
     pub strip: usize,
 }
+
+/// A strip with more than this share of its area in plan leans more than it stands.
+const LEANING: f64 = 0.9;
 
 /// What all contours of one slab share.
 struct Top {
@@ -229,6 +233,19 @@ impl Build<'_> {
                 self.give_up(top.slab, job.strip, reason);
             }
             printed.rims[job.contour] = rim;
+            self.floor(top, job, printed);
+        }
+    }
+
+    /// Closes what begins within the slab, and asks for a roof under what leans too far.
+    fn floor(&mut self, top: &Top, job: &Job, printed: &mut Ground) {
+        let strip = &self.sliced.strips[top.slab][job.strip];
+        let contours = &self.sliced.lower[top.slab + 1];
+        let last = strip.upper.iter().all(|&i| printed.rims[i as usize].is_some());
+        if strip.lower.is_empty() && last && strip.closes(contours, &strip.upper) {
+            self.close(top.slab + 1, &strip.upper, printed);
+        } else if !job.carriers.is_empty() && !strip.roofed && leans(strip) {
+            self.wants.roofs.push((top.slab, job.strip));
         }
     }
 
@@ -290,6 +307,11 @@ pub fn gaps<'a>(curve: &'a Curve, posts: &'a [Post]) -> impl Iterator<Item = (f6
         (last, curve.length() - last + first)
     });
     posts.windows(2).map(|p| (p[0].s, p[1].s - p[0].s)).chain(around)
+}
+
+/// Whether most of a strip is roof or floor, not wall.
+fn leans(strip: &Strip) -> bool {
+    strip.plan.abs() > LEANING * strip.area
 }
 
 fn lowest(rims: &[&Rim]) -> f64 {

@@ -27,6 +27,8 @@ pub struct Strip {
     /// Its area as seen from above, mm²: negative where it looks down. A piece that closes all
     /// of its contours has just their area (divergence theorem); one that ends in a rim has not.
     pub plan: f64,
+    /// Whether its lower contours are closed like those of a piece that ends.
+    pub roofed: bool,
 }
 
 impl Strip {
