@@ -42,6 +42,7 @@ class Unprinted(TypedDict):
 _HELP: Final = {
     "mid_air": "turn the model, or print it with --supports wire",
     "no_foothold": "print it larger, with a smaller nozzle, or with lower slabs",
+    "wide_span": "turn the model, or raise wire.span_limit_mm if your material holds it",
     "wide_roof": "turn the model so that the face stands upright",
 }
 

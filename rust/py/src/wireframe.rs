@@ -141,6 +141,7 @@ fn reason(reason: Reason) -> &'static str {
     match reason {
         Reason::MidAir => "mid_air",
         Reason::NoFoothold => "no_foothold",
+        Reason::WideSpan => "wide_span",
         Reason::WideRoof => "wide_roof",
     }
 }

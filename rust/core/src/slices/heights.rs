@@ -57,7 +57,7 @@ const LARGEST: f64 = 4.0;
 /// number it lacks.
 const WOBBLE_FINE: f64 = 4.0;
 /// Walls that lean more than this part of the longest free end are fined …
-const LEAN: f64 = 0.5;
+const LEAN: f64 = 0.4;
 /// … by so many seconds per mm².
 const LEAN_FINE: f64 = 0.2;
 /// Fine, in seconds, for a slab lower than the least height (only where nothing else fits).

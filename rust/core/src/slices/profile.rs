@@ -46,8 +46,7 @@ impl Profile {
     pub fn new(mesh: &Mesh, bottom: f64, top: f64, step: f64) -> Self {
         let layers = (((top - bottom) / step).ceil() as usize).max(1);
         let step = (top - bottom).max(f64::MIN_POSITIVE) / layers as f64;
-        let empty =
-            Self { bottom, step, layers, cells: vec![Cell::default(); layers * KINDS] };
+        let empty = Self { bottom, step, layers, cells: vec![Cell::default(); layers * KINDS] };
         let parts: Vec<Vec<Cell>> = mesh
             .faces
             .par_chunks(CHUNK)

@@ -6,7 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::builder::Builder;
+use super::builder::{Builder, Course};
 use super::columns::{self, Wants};
 use super::curve::Curve;
 use super::posts::Post;
@@ -114,7 +114,9 @@ impl Build<'_> {
             let Some(curve) = Curve::new(&contours[i].points, contours[i].closed) else { continue };
             let start = self.seam(&curve);
             let kind = if contours[i].support { Kind::Support } else { Kind::Contour };
-            ground.rims[i] = Some(self.out.ring(&curve, start, &[], z, BED_FOLLOW, kind));
+            let longest = f64::INFINITY;
+            let course = Course { start, z, tolerance: BED_FOLLOW, longest, kind };
+            ground.rims[i] = Some(self.out.ring(&curve, &[], &course).0);
         }
         let closes = |floor: &&Strip| floor.closes(contours, &floor.upper);
         for floor in self.sliced.ledges[0].iter().flatten().filter(closes) {

@@ -12,6 +12,10 @@ use crate::head::Head;
 
 /// Strokes shorter than this part of the strand's diameter are mere contact and are not printed.
 const CONTACT: f64 = 0.5;
+/// A ring of one stretch is gone round until the strand, so many diameters long, lies on itself.
+const CLOSING: f64 = 3.5;
+/// A ring is never simplified by more than this part of its length.
+const FINEST: f64 = 1.0 / 16.0;
 /// The generator allows this part of the joint's squash, so that rounding cannot fail the proof.
 const SQUASH: f64 = 0.9;
 
@@ -101,52 +105,73 @@ impl<'a> Builder<'a> {
     }
 
     /// Prints a contour through the peaks of its posts, from the last one on, and returns it as
-    /// the rim that the next slab stands on. `start` is the arc length where the chain began;
-    /// between peaks the strand follows the contour to within `tolerance` mm.
-    pub fn ring(
-        &mut self,
-        curve: &Curve,
-        start: f64,
-        posts: &[Post],
-        z: f64,
-        tolerance: f64,
-        kind: Kind,
-    ) -> Rim {
-        let closed = curve.is_closed();
-        let mut points = ring_points(curve, start, posts, z, tolerance);
-        self.polyline(&points, kind);
-        if closed && points.len() > 1 {
-            points.pop();
+    /// the rim that the next slab stands on, with the length, mm, that is left out because it
+    /// would hang over more than `course.longest`.
+    pub fn ring(&mut self, curve: &Curve, posts: &[Post], course: &Course) -> (Rim, f64) {
+        let small = curve.is_closed() && posts.len() < 2;
+        let laps = if small { (CLOSING * self.strand / curve.length()).ceil() } else { 1.0 };
+        let stretches = stretches(curve, posts, course);
+        let mut rim = Rim { closed: curve.is_closed(), printed: true, ..Rim::default() };
+        let (mut left_out, mut end) = (0.0, None);
+        for stretch in stretches {
+            let length: f64 = stretch.windows(2).map(|p| p[0].distance(p[1])).sum();
+            let inner = stretch.len().saturating_sub(1);
+            if length > course.longest {
+                left_out += length;
+                rim.gaps.extend(rim.points.len()..rim.points.len() + inner);
+            } else {
+                (0..laps.max(1.0) as usize).for_each(|_| self.polyline(&stretch, course.kind));
+            }
+            rim.points.extend_from_slice(&stretch[..inner]);
+            end = stretch.last().copied();
         }
-        Rim { points, closed, printed: true }
+        rim.points.extend(end.filter(|_| !rim.closed));
+        (rim, left_out)
     }
 }
 
-/// The polyline of a ring; a closed one ends where it begins.
-fn ring_points(curve: &Curve, start: f64, posts: &[Post], z: f64, tolerance: f64) -> Vec<DVec3> {
+/// How a contour is printed; lengths in mm.
+pub struct Course {
+    /// Arc length at which the chain of its posts begins.
+    pub start: f64,
+    /// Its height.
+    pub z: f64,
+    /// The strand follows the contour to within this.
+    pub tolerance: f64,
+    /// Longest stretch between two posts.
+    pub longest: f64,
+    /// What its strands are.
+    pub kind: Kind,
+}
+
+/// The polylines of a ring from post to post; those of a closed one end where they begin, an open
+/// one is printed backwards from its last post, where the strand stands.
+fn stretches(curve: &Curve, posts: &[Post], course: &Course) -> Vec<Vec<DVec3>> {
     let length = curve.length();
     let mut stops: Vec<f64> = posts.iter().map(|p| p.s).collect();
     if curve.is_closed() {
         let last = stops.pop().unwrap_or(0.0);
         stops.insert(0, last - length);
         stops.push(last);
-    } else {
-        // Beyond its first and last post an open contour would end in the air.
-        if posts.is_empty() {
-            stops = vec![0.0, length];
-        }
+    } else if posts.is_empty() {
+        // On the bed all of it is held; in the air an open contour is printed between its posts.
+        stops = vec![0.0, length];
     }
-    let Some(&first) = stops.first() else { return Vec::new() };
-    let mut points = vec![curve.position(start + first).extend(z)];
-    for pair in stops.windows(2) {
-        let arc = pair[1] - pair[0];
-        let inner = between(curve, start + pair[0], arc, tolerance);
-        points.extend(inner.into_iter().map(|p| p.extend(z)));
-        points.push(curve.position(start + pair[1]).extend(z));
-    }
-    // The strand stands on its last post: what is open is printed backwards from there.
+    // A small ring must not shrink to a line there and back.
+    let tolerance = course.tolerance.min(length * FINEST);
+    let mut stretches: Vec<Vec<DVec3>> = stops
+        .windows(2)
+        .map(|pair| {
+            let (from, arc) = (course.start + pair[0], pair[1] - pair[0]);
+            let inner = between(curve, from, arc, tolerance);
+            let ends = [curve.position(from), curve.position(from + arc)];
+            let points = std::iter::once(ends[0]).chain(inner).chain([ends[1]]);
+            points.map(|p| p.extend(course.z)).collect()
+        })
+        .collect();
     if !curve.is_closed() {
-        points.reverse();
+        stretches.reverse();
+        stretches.iter_mut().for_each(|stretch| stretch.reverse());
     }
-    points
+    stretches
 }

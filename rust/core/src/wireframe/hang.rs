@@ -153,14 +153,8 @@ impl Build<'_> {
             .map(|rim| rim.points.iter().map(|p| p.truncate()).collect())
             .collect();
         let lines = bridges(&plan, curve.points(), self.p.cap_spacing, self.p.span_limit)?;
-        let rims: Vec<Rim> = lines
-            .into_iter()
-            .map(|line| Rim {
-                points: line.map(|p| p.extend(z)).to_vec(),
-                closed: false,
-                printed: true,
-            })
-            .collect();
+        let rims: Vec<Rim> =
+            lines.into_iter().map(|line| Rim::line(line.map(|p| p.extend(z)).to_vec())).collect();
         for rim in &rims {
             self.out.polyline(&rim.points, Kind::Support);
         }

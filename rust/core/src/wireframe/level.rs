@@ -136,11 +136,7 @@ impl Build<'_> {
         let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest);
         let rims: Vec<Rim> = lines
             .into_iter()
-            .map(|line| Rim {
-                points: line.into_iter().map(|p| p.extend(first.z)).collect(),
-                closed: false,
-                printed: true,
-            })
+            .map(|line| Rim::line(line.into_iter().map(|p| p.extend(first.z)).collect()))
             .collect();
         for rim in &rims {
             self.out.polyline(&rim.points, Kind::Cap);

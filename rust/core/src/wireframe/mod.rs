@@ -122,6 +122,8 @@ pub enum Reason {
     MidAir,
     /// Neighbouring walls leave the head no room for a post.
     NoFoothold,
+    /// A stretch of its contour is longer than a strand can span.
+    WideSpan,
     /// Its flat roof is wider than a strand can span.
     WideRoof,
 }

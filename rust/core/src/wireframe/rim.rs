@@ -11,6 +11,8 @@ pub struct Rim {
     pub closed: bool,
     /// Whether strands join the vertices; a chain of bare peaks has none.
     pub printed: bool,
+    /// Segments, by the number of their first vertex, that are left out; ascending.
+    pub gaps: Vec<usize>,
 }
 
 /// A place on a rim.
@@ -25,11 +27,19 @@ pub struct Foothold {
 }
 
 impl Rim {
-    /// The segments, the closing one included.
+    /// An open rim through `points`.
+    #[must_use]
+    pub fn line(points: Vec<DVec3>) -> Self {
+        Self { points, printed: true, ..Self::default() }
+    }
+
+    /// The printed segments, the closing one included.
     pub fn segments(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
         let count = self.points.len();
         let last = if self.closed && count > 2 { count } else { count.saturating_sub(1) };
-        (0..last).map(move |i| (self.points[i], self.points[(i + 1) % count]))
+        (0..last)
+            .filter(|i| self.gaps.is_empty() || self.gaps.binary_search(i).is_err())
+            .map(move |i| (self.points[i], self.points[(i + 1) % count]))
     }
 
     /// The place on the rim that is horizontally nearest to `p`.

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::build::{Build, Ground, Standing};
+use super::builder::Course;
 use super::curve::Curve;
 use super::posts::Post;
 use super::rim::Rim;
@@ -11,8 +12,6 @@ use super::walls::Walls;
 use super::zigzag::{ZigzagInput, zigzag};
 use super::{Kind, Pattern, PlacedPost, Reason};
 
-/// Contours shorter than this many strand diameters are printed as a dot: the post's end.
-const DOT: f64 = 2.0;
 /// A contour printed in the air follows the model to this part of the strand's diameter.
 const FOLLOW: f64 = 0.5;
 /// Stretches between posts longer than this many least spacings, and than the longest free end,
@@ -172,21 +171,25 @@ impl Build<'_> {
     fn ring(&mut self, top: &Top, standing: &Standing) -> Rim {
         let Some(curve) = &top.curves[standing.contour] else { return Rim::default() };
         let peaks = || standing.posts.iter().map(|p| p.peak).collect();
-        if curve.is_closed() && curve.length() < DOT * self.p.strand {
-            return Rim { points: peaks(), closed: false, printed: true };
-        }
         if self.p.pattern == Pattern::Peaks && self.needs_no_ring(top.slab + 1, standing) {
-            return Rim { points: peaks(), closed: curve.is_closed(), printed: false };
+            let closed = curve.is_closed();
+            return Rim { points: peaks(), closed, ..Rim::default() };
         }
         let support = self.sliced.lower[top.slab + 1][standing.contour].support;
         let kind = if support { Kind::Support } else { Kind::Contour };
         self.follow(curve, standing, top.z, kind)
     }
 
-    /// Prints a contour in the air.
+    /// Prints a contour in the air, without the stretches that would hang too far.
     pub(super) fn follow(&mut self, curve: &Curve, standing: &Standing, z: f64, kind: Kind) -> Rim {
-        let tolerance = FOLLOW * self.p.strand;
-        self.out.ring(curve, standing.start, &standing.posts, z, tolerance, kind)
+        let (tolerance, longest) = (FOLLOW * self.p.strand, self.p.span_limit);
+        let course = Course { start: standing.start, z, tolerance, longest, kind };
+        let (rim, left_out) = self.out.ring(curve, &standing.posts, &course);
+        if left_out > 0.0 {
+            let area = left_out * self.p.strand;
+            self.leave_out(z, z, area, curve.position(standing.start), Reason::WideSpan);
+        }
+        rim
     }
 
     /// Whether a contour only leads from one plain slab to the next.

@@ -1,15 +1,14 @@
 //! All that is known of the model before the first strand: levels, contours, strips, ledges.
 
 use glam::DVec2;
-use rayon::prelude::*;
 
 use super::strips::{Slab, Strip, all_ledges, all_strips};
-use crate::contours::{Contour, contours, union};
+use crate::contours::{Contour, sliced};
 use crate::error::{CoreError, Result};
 use crate::head::Head;
 use crate::mesh::Mesh;
 use crate::slices::heights::{HeightParams, Level, choose_levels};
-use crate::slices::{Plane, Side, cut};
+use crate::slices::{Plane, Side};
 
 /// A model cut into slabs.
 #[derive(Debug, Default)]
@@ -40,8 +39,7 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
     let above = levels.iter().map(|l| Plane { z: l.high, side: Side::Above });
     let planes: Vec<Plane> = below.chain(above).collect();
     let speck = SPECK * params.strand;
-    let mut lower: Vec<Vec<Contour>> =
-        cut(mesh, &planes).into_par_iter().map(|l| contours(union(l), speck)).collect();
+    let mut lower = sliced(mesh, &planes, speck);
     let upper = lower.split_off(levels.len());
     if levels.is_empty() || upper.iter().chain(&lower).all(Vec::is_empty) {
         return Err(CoreError::NoContour(
