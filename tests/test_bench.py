@@ -271,7 +271,8 @@ class TestCommand:
         assert [row["model"] for row in rows] == [str(cube), str(broken), str(absent)]
         assert rows[0]["certified"] is True
         assert rows[0]["coverage"] > 0.95
-        assert rows[1]["error"].startswith(str(broken))
+        assert rows[1]["error"]
+        assert str(broken) not in rows[1]["error"]
         assert rows[2]["error"] == "the file cannot be read: No such file or directory"
 
     def test_every_condition_has_its_columns_and_the_speed_ups_a_picture(self, cube, tmp_path):

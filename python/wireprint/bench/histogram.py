@@ -19,6 +19,7 @@ INK, FAINT, BAR, MARK = (40, 40, 40), (200, 200, 200), (40, 90, 200), (220, 60, 
 #: Widths that a bin may have, and a power of ten times them.
 _ROUND: Final = (1.0, 2.0, 2.5, 5.0, 10.0)
 _MOST_BINS: Final = 40
+_MOST_LABELS: Final = 12
 
 
 def png(values: Sequence[float], title: str, axis: str) -> bytes:
@@ -42,7 +43,7 @@ def png(values: Sequence[float], title: str, axis: str) -> bytes:
     sheet.grid()
     for (low, high), height in zip(itertools.pairwise(edges), counts, strict=True):
         sheet.bar(low, high, height)
-    sheet.axis()
+    sheet.axis(edges)
     sheet.mark(quantile(values, 0.5))
     sheet.titles(title, axis)
     out = io.BytesIO()
@@ -69,18 +70,19 @@ class _Sheet:
         return HEIGHT - MARGIN - count / self.top * (HEIGHT - 2 * MARGIN)
 
     def grid(self) -> None:
-        for level in ticks(0, self.top, whole=True):
+        for level in _levels(self.top):
             self.draw.line((MARGIN, self.y(level), WIDTH - MARGIN, self.y(level)), FAINT)
             place = (MARGIN - 10, self.y(level))
-            self.draw.text(place, f"{level:g}", INK, self.font, anchor="rm")
+            self.draw.text(place, str(level), INK, self.font, anchor="rm")
 
     def bar(self, low: float, high: float, count: int) -> None:
         if count:
             self.draw.rectangle((self.x(low) + 1, self.y(count), self.x(high) - 1, self.y(0)), BAR)
 
-    def axis(self) -> None:
-        for tick in ticks(self.low, self.high):
-            self.draw.text((self.x(tick), self.y(0) + 8), f"{tick:g}", INK, self.font, anchor="ma")
+    def axis(self, edges: Sequence[float]) -> None:
+        for edge in edges[:: math.ceil(len(edges) / _MOST_LABELS)]:
+            place = (self.x(edge), self.y(0) + 8)
+            self.draw.text(place, f"{edge:.6g}", INK, self.font, anchor="ma")
 
     def mark(self, median: float) -> None:
         x, top = self.x(median), MARGIN - 12
@@ -119,13 +121,9 @@ def quantile(values: Sequence[float], share: float) -> float:
     return ranked[below] + (place - below) * (ranked[above] - ranked[below])
 
 
-def ticks(low: float, high: float, *, whole: bool = False) -> list[float]:
-    """Return at most eleven round numbers from one value to another."""
-    step = _rounded_up((high - low) / 10)
-    if whole:
-        step = max(1.0, math.ceil(step))
-    first = math.ceil(low / step - 1e-9)
-    return [index * step for index in range(first, math.floor(high / step + 1e-9) + 1)]
+def _levels(top: int) -> list[int]:
+    """Return round whole numbers from 0 to `top`, few enough to be labelled."""
+    return list(range(0, top + 1, max(1, math.ceil(_rounded_up(top / _MOST_LABELS)))))
 
 
 def _rounded_up(value: float) -> float:

@@ -41,24 +41,33 @@ def run(job: Job, task: Task) -> Row | None:
         What was found; the column ``error`` tells why it is not complete. None: the file that the
         task means is not to be seen from here.
     """
+    row = started(task)
+    begin = time.perf_counter()
+    with _file(task) as path:
+        if path is None:
+            return None
+        row["error"] = _evaluated(job, task, path, row)
+    row["compute_s"] = time.perf_counter() - begin
+    return row
+
+
+def _evaluated(job: Job, task: Task, path: Path, row: Row) -> str | None:
+    """Fill in a row as far as possible; return why no further."""
     from wireprint.mesh import load_mesh
     from wireprint.settings import Settings
 
-    row = started(task)
-    begin = time.perf_counter()
     try:
-        with _file(task) as path:
-            if path is None:
-                return None
-            mesh = load_mesh(path, **asdict(task.placement))
+        mesh = load_mesh(path, **asdict(task.placement))
         job.evaluate(mesh, Settings.from_mapping(job.settings), row)
     except WireprintError as error:
-        row["error"] = str(error)
-    except Exception as error:
-        # A fault of ours must cost one model, not the run; its row says where to look.
-        row["error"] = f"unexpected {type(error).__name__}: {error}"
-    row["compute_s"] = time.perf_counter() - begin
-    return row
+        return str(error).removeprefix(f"{path}: ")
+    except (KeyboardInterrupt, SystemExit):
+        raise
+    except BaseException as error:
+        # A fault of ours, a panic of the core among them (which is no Exception), must cost one
+        # model, not the run; its row says what to look for.
+        return f"unexpected {type(error).__name__}: {error}"
+    return None
 
 
 def started(task: Task) -> Row:

@@ -110,8 +110,7 @@ def _lines(found: dict[str, Any]) -> Iterator[str]:
     if found["histogram"] is not None:
         yield f"  {'histogram':24}{found['histogram']}"
     for failure in found["failures"][:SHOWN]:
-        name = failure["model"]
-        yield f"  failed: {name}: {failure['error'].removeprefix(f'{name}: ')}"
+        yield f"  failed: {failure['model']}: {failure['error']}"
     if len(found["failures"]) > SHOWN:
         yield f"  and {len(found['failures']) - SHOWN} more; see the column error"
 
