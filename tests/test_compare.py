@@ -37,6 +37,11 @@ def test_the_papers_solid_cube_takes_its_24_59(cube):
     assert cube.conditions[0].print_time_s == pytest.approx(24 * 60 + 59, rel=0.1)
 
 
+def test_the_papers_cube_as_a_frame_takes_its_10_23(cube):
+    frame = next(row for row in cube.conditions if row.condition == "layerwise-wireframe")
+    assert frame.print_time_s == pytest.approx(10 * 60 + 23, rel=0.1)
+
+
 def test_a_wire_print_is_the_fastest_and_the_lightest(cube):
     wire = next(row for row in cube.conditions if row.condition == "wireprint")
     others = [row for row in cube.conditions if row is not wire]

@@ -103,6 +103,24 @@ def _solid(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
     return settings, layered(areas(mesh, recipe.layer_mm, recipe.resolution_mm), recipe)
 
 
+def _frame(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
+    from wireprint.layerwise.frame import areas
+    from wireprint.layerwise.printing import layered
+    from wireprint.layerwise.recipe import Recipe
+
+    recipe = Recipe.of(settings.layerwise, settings.printer)
+    return settings, layered(areas(mesh, settings.layerwise.frame, recipe.layer_mm), recipe)
+
+
+def _vase(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
+    from wireprint.layerwise.areas import areas
+    from wireprint.layerwise.recipe import Recipe
+    from wireprint.layerwise.vase import spiral
+
+    recipe = Recipe.of(settings.layerwise, settings.printer)
+    return settings, spiral(areas(mesh, recipe.layer_mm, recipe.resolution_mm), recipe)
+
+
 def _fast(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
     from wireprint.layerwise.areas import areas
     from wireprint.layerwise.printing import layered
@@ -121,7 +139,9 @@ def _wire(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
 
 _MAKERS: Final[dict[str, Callable[[Mesh, Settings], tuple[Settings, Toolpath]]]] = {
     "layerwise-solid": _solid,
+    "layerwise-wireframe": _frame,
     "wireprint": _wire,
+    "vase": _vase,
     "layerwise-fast": _fast,
 }
 

@@ -401,10 +401,10 @@ class Frame(Section):
         0.5, ge=0, le=10, description="by which a beam may leave the edges it stands for"
     )
     pitch_mm: Millimetres = Field(
-        15.0, description="of rings and posts where a model bends without edges; estimated"
+        20.0, description="of rings and posts where a model bends without edges; estimated"
     )
     bridge_mm: Millimetres = Field(
-        10.0, description="flatter beams up to this length need no strut; PrusaSlicer's default"
+        20.0, description="flatter beams up to this length need no strut; estimated"
     )
 
 

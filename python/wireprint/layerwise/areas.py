@@ -60,16 +60,18 @@ def of_slices(slices: Slices, resolution_mm: float) -> Geometries:
     number[contours] = np.arange(len(contours))
     of_point = np.repeat(number, sizes)
     rings = shapely.linearrings(slices.points[of_point >= 0], indices=of_point[of_point >= 0])
-    rings = _simplified(rings, resolution_mm)
+    rings = simplified(rings, resolution_mm)
     shells = np.where(slices.depth % 2 == 0, np.arange(len(sizes)), slices.parent)[contours]
-    kept = ~shapely.is_empty(rings) & np.isin(shells, contours)
+    # Simplified to a line or a point, a ring is a line string.
+    is_ring = shapely.get_type_id(rings) == shapely.GeometryType.LINEARRING
+    kept = is_ring & ~shapely.is_empty(rings) & np.isin(shells, contours[is_ring])
     is_hole = shells != contours
     order = np.lexsort((is_hole, shells))
     order = order[kept[order]]
     shell_ids, polygon_of_ring = np.unique(shells[order], return_inverse=True)
     polygons = shapely.polygons(rings[order], indices=polygon_of_ring)
     layers = np.searchsorted(slices.slice_offsets, shell_ids, side="right") - 1
-    return _by_layer(_sound(polygons), layers, result)
+    return _by_layer(sound(polygons), layers, result)
 
 
 def islands(geometries: Geometries) -> tuple[Geometries, npt.NDArray[np.int64]]:
@@ -81,19 +83,23 @@ def islands(geometries: Geometries) -> tuple[Geometries, npt.NDArray[np.int64]]:
 
 def offset(geometries: Geometries, distance_mm: float) -> Geometries:
     """Grow (or, below 0, shrink) each area by a distance, mm, with sharp corners."""
-    return mapped(
+    result = geometries.copy()
+    filled = np.flatnonzero(~shapely.is_empty(geometries))
+    result[filled] = mapped(
         lambda part: shapely.buffer(part, distance_mm, join_style="mitre", mitre_limit=2.0),
-        geometries,
+        geometries[filled],
     )
+    return result
 
 
-def _simplified(rings: Geometries, resolution_mm: float) -> Geometries:
+def simplified(geometries: Geometries, resolution_mm: float) -> Geometries:
+    """Leave out points whose absence moves a line by less than the resolution, mm."""
     return mapped(
-        lambda part: shapely.simplify(part, resolution_mm, preserve_topology=False), rings
+        lambda part: shapely.simplify(part, resolution_mm, preserve_topology=False), geometries
     )
 
 
-def _sound(polygons: Geometries) -> Geometries:
+def sound(polygons: Geometries) -> Geometries:
     """Mend what simplifying made cross itself."""
     broken = ~mapped(shapely.is_valid, polygons)
     polygons[broken] = shapely.buffer(polygons[broken], 0.0)

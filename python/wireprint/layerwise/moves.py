@@ -41,42 +41,54 @@ class Rates:
 
 
 def toolpath(route: Route, rates: Rates) -> Toolpath:
-    """Return the moves that print the lines of a route, one layer upon the other."""
+    """Return the moves that print the lines of a route.
+
+    Parameters
+    ----------
+    route
+        Lines in printing order.
+    rates
+        How the machine prints.
+    """
     sizes = np.diff(route.offsets)
     line = np.repeat(np.arange(len(sizes)), sizes + len(_APPROACH) - 1)
-    starts = np.concatenate([[0], np.cumsum(sizes + len(_APPROACH) - 1)])
-    step = np.arange(len(line)) - starts[line]
+    begins = np.cumsum(sizes + len(_APPROACH) - 1) - (sizes + len(_APPROACH) - 1)
+    step = np.arange(len(line)) - begins[line]
     point = route.offsets[line] + np.maximum(step - len(_APPROACH) + 1, 0)
     kind = np.array([*_APPROACH, _LAYERWISE])[np.minimum(step, len(_APPROACH))]
-    z = (route.layer + 1) * rates.layer_mm
-    to = np.column_stack([route.points[point] + rates.centre_mm, z[line]])
-    lifts = step < 2
-    to[lifts, :2] = _last_points(route, rates)[line[lifts]]
-    to[step == 0, 2] = np.concatenate([z[:1], z[:-1]])
-    lengths = np.linalg.norm(to - np.vstack([to[:1], to[:-1]]), axis=1)
-    travels = np.hypot(*(to[step == 2, :2] - to[step == 1, :2]).T)
-    rises = np.diff(z, prepend=z[0]) > 0
-    pulls = ((travels > rates.retract_over_mm) | rises) & (np.arange(len(sizes)) > 0)
-    keep = np.ones(len(line), dtype=bool)
-    keep[np.isin(step, (0, 3))] = np.repeat(pulls, 2)
-    keep[step == 1] = rises
-    keep[step == 2] = (travels > 0) | (np.arange(len(sizes)) == 0)
+    points = route.points + np.array([*rates.centre_mm, 0.0])
+    to = points[point]
+    firsts = points[route.offsets[:-1]]
+    lasts = np.vstack([firsts[:1], points[route.offsets[1:-1] - 1]])
+    # The tip is drawn up where it stands, and only then travels.
+    to[step == 0] = lasts
+    to[step == 1, :2] = lasts[:, :2]
+    keep = _needed(step, firsts - lasts, rates.retract_over_mm)
+    layer = route.layer[point]
     return _core.Toolpath.from_arrays(
-        start=(*to[0, :2].tolist(), float(to[0, 2])),
+        start=(*firsts[0].tolist(),),
         to=np.ascontiguousarray(to[keep]),
         kind=kind[keep].astype(np.uint8),
-        speed=_speeds(kind, route.layer[line], rates)[keep],
-        filament=_filament(kind, lengths, rates)[keep],
+        speed=_speeds(kind, layer, rates)[keep],
+        filament=_filament(kind, to, rates)[keep],
         pause=np.zeros(np.count_nonzero(keep)),
         air=np.zeros(np.count_nonzero(keep), dtype=bool),
-        slab=route.layer[line][keep].astype(np.uint32),
+        slab=layer[keep].astype(np.uint32),
     )
 
 
-def _last_points(route: Route, rates: Rates) -> npt.NDArray[np.float64]:
-    """Return where the tip is before each line: at the end of the last one."""
-    ends = route.points[route.offsets[1:] - 1] + rates.centre_mm
-    return np.vstack([route.points[:1] + rates.centre_mm, ends[:-1]])
+def _needed(
+    step: npt.NDArray[np.int64], ways: npt.NDArray[np.float64], retract_over_mm: float
+) -> npt.NDArray[np.bool_]:
+    """Tell which moves are made: short travels do without some, the first without most."""
+    travels, rises = np.hypot(ways[:, 0], ways[:, 1]), ways[:, 2] > 0
+    pulls = (travels > retract_over_mm) | rises
+    begins = np.arange(len(ways)) == 0
+    keep = np.ones(len(step), dtype=bool)
+    keep[step == 0] = keep[step == 3] = pulls
+    keep[step == 1] = rises
+    keep[step == 2] = (travels > 0) | begins
+    return keep
 
 
 def _speeds(
@@ -90,8 +102,9 @@ def _speeds(
 
 
 def _filament(
-    kind: npt.NDArray[np.int64], lengths: npt.NDArray[np.float64], rates: Rates
+    kind: npt.NDArray[np.int64], to: npt.NDArray[np.float64], rates: Rates
 ) -> npt.NDArray[np.float64]:
+    lengths = np.linalg.norm(np.diff(to, axis=0, prepend=to[:1]), axis=1)
     by_kind = np.zeros(len(KINDS))
     by_kind[_RETRACT], by_kind[_UNRETRACT] = -rates.retract_mm, rates.retract_mm
     return by_kind[kind] + np.where(kind == _LAYERWISE, lengths * rates.filament_per_mm, 0.0)

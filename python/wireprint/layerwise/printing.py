@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from wireprint._core import ModelError
-from wireprint.layerwise import shells
 from wireprint.layerwise.areas import Geometries, islands
 from wireprint.layerwise.hatch import hatched
 from wireprint.layerwise.moves import toolpath
 from wireprint.layerwise.route import routed
+from wireprint.layerwise.shells import split
 from wireprint.layerwise.walls import walls
 
 if TYPE_CHECKING:
@@ -36,8 +36,7 @@ def layered(areas: Geometries, recipe: Recipe) -> Toolpath:
     """
     pieces, layer = islands(areas)
     laid = walls(pieces, recipe.perimeters, recipe.width_mm, recipe.spacing_mm, recipe.overlap_mm)
-    buried = shells.buried(areas, recipe.bottom_layers, recipe.top_layers)
-    solid, sparse = shells.split(laid.inner, buried[layer], recipe.width_mm, recipe.solid_below_mm2)
+    solid, sparse = split(laid.inner, layer, areas, recipe.shells)
     turn = np.where(layer % 2 == 0, np.pi / 4, -np.pi / 4)
     fills = [
         hatched(solid, turn, recipe.spacing_mm, recipe.width_mm, recipe.solid_link_mm),
@@ -48,4 +47,4 @@ def layered(areas: Geometries, recipe: Recipe) -> Toolpath:
     groups = [*laid.lines, *fills]
     if not any(len(lines) for lines in groups):
         raise ModelError("no part of the model is as wide as a line")
-    return toolpath(routed(groups, layer, recipe.seam_gap_mm), recipe.rates)
+    return toolpath(routed(groups, layer, recipe.layer_mm, recipe.seam_gap_mm), recipe.rates)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Self
 
 from wireprint.layerwise.moves import Rates
+from wireprint.layerwise.shells import Shells
 
 if TYPE_CHECKING:
     from wireprint.settings import LayerProfile, Printer, Settings
@@ -23,12 +24,9 @@ class Recipe:
     spacing_mm: float
     overlap_mm: float
     perimeters: int
-    bottom_layers: int
-    top_layers: int
+    shells: Shells
     #: Share, 0 to 1.
     infill_density: float
-    #: Sparse areas below this are solid, mm².
-    solid_below_mm2: float
     #: Ends of neighbouring lines no further apart are joined.
     solid_link_mm: float
     link_mm: float
@@ -55,10 +53,10 @@ class Recipe:
             spacing_mm=spacing,
             overlap_mm=profile.infill_overlap * width,
             perimeters=profile.perimeters,
-            bottom_layers=profile.bottom_layers,
-            top_layers=profile.top_layers,
+            shells=Shells(
+                profile.bottom_layers, profile.top_layers, width, profile.solid_below_mm2
+            ),
             infill_density=profile.infill_density,
-            solid_below_mm2=profile.solid_below_mm2,
             solid_link_mm=profile.solid_link * spacing,
             link_mm=profile.link_mm,
             seam_gap_mm=profile.seam_gap * nozzle,

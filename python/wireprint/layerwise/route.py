@@ -24,15 +24,15 @@ if TYPE_CHECKING:
 class Route:
     """Lines cut open and in order: what the tip follows."""
 
-    #: Points of all lines, mm, shape (P, 2).
+    #: Points of all lines, mm, shape (P, 3).
     points: Floats
+    #: Layer of each point, shape (P,).
+    layer: Ints
     #: Line i has the points ``offsets[i]:offsets[i + 1]``, shape (N + 1,).
     offsets: Ints
-    #: Layer of each line, shape (N,).
-    layer: Ints
 
 
-def routed(groups: Sequence[Lines], layer_of_owner: Ints, gap_mm: float) -> Route:
+def routed(groups: Sequence[Lines], layer_of_owner: Ints, layer_mm: float, gap_mm: float) -> Route:
     """Order lines by layer, island and group, and within these by the nearest next end.
 
     Parameters
@@ -42,6 +42,8 @@ def routed(groups: Sequence[Lines], layer_of_owner: Ints, gap_mm: float) -> Rout
         is the island.
     layer_of_owner
         Layer of each island, ascending, shape (M,).
+    layer_mm
+        Height of a layer, mm.
     gap_mm
         A closed line ends this far before its beginning, mm: the strand's own width fills it.
     """
@@ -63,7 +65,10 @@ def routed(groups: Sequence[Lines], layer_of_owner: Ints, gap_mm: float) -> Rout
     walker = _Walker(points, firsts, ends, closed)
     for low, high in pairwise(batch):
         walker.visit(order[low:high])
-    return _gathered(walker, layer_of_owner[owner[walker.visited]], gap_mm)
+    index, offsets = _gathered(walker)
+    flat = _opened(points[index], offsets, closed[walker.visited], gap_mm)
+    layer = layer_of_owner[owner[walker.visited]].repeat(np.diff(offsets))
+    return Route(np.column_stack([flat.real, flat.imag, (layer + 1) * layer_mm]), layer, offsets)
 
 
 class _Walker:
@@ -106,7 +111,8 @@ class _Walker:
         self.reversed.append(backwards)
 
 
-def _gathered(walker: _Walker, layer: Ints, gap_mm: float) -> Route:
+def _gathered(walker: _Walker) -> tuple[Ints, Ints]:
+    """Return the points' indices in the order of the visit, and the lines' offsets in it."""
     visited = np.array(walker.visited, dtype=np.int64)
     firsts, sizes = walker.firsts[visited], (walker.ends - walker.firsts)[visited]
     closed = walker.closed[visited]
@@ -116,12 +122,17 @@ def _gathered(walker: _Walker, layer: Ints, gap_mm: float) -> Route:
     step = np.arange(offsets[-1]) - offsets[line]
     step = np.where(np.array(walker.reversed, dtype=bool)[line], -step, step)
     index = firsts[line] + (np.array(walker.begins, np.int64)[line] + step) % sizes[line]
-    points = walker.points[index]
+    return index, offsets
+
+
+def _opened(
+    points: Complexes, offsets: Ints, closed: npt.NDArray[np.bool_], gap_mm: float
+) -> Complexes:
+    """Draw the ends of closed lines back from where these began."""
     seams = (offsets[1:] - 1)[closed]
     back = points[seams - 1] - points[seams]
-    length = np.abs(back)
-    points[seams] += back * np.minimum(0.5, gap_mm / np.maximum(length, 1e-9))
-    return Route(np.stack([points.real, points.imag], axis=1), offsets, layer)
+    points[seams] += back * np.minimum(0.5, gap_mm / np.maximum(np.abs(back), 1e-9))
+    return points
 
 
 def _changes(*keys: Ints) -> npt.NDArray[np.bool_]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,74 +17,68 @@ if TYPE_CHECKING:
 _EMPTY = shapely.MultiPolygon()
 
 
-def buried(areas: Geometries, bottom: int, top: int) -> Geometries:
-    """Return the part of each layer's plane that `bottom` layers below and `top` above cover.
+@dataclass(frozen=True)
+class Shells:
+    """What decides between solid and sparse."""
 
-    Parameters
-    ----------
-    areas
-        Area of each layer, shape (K,).
-    bottom, top
-        Counts of solid layers.
-
-    Returns
-    -------
-    numpy.ndarray
-        Areas, shape (K,); for zero layers on both sides, the areas themselves.
-    """
-    below = _windows(areas, bottom, shift=-bottom)
-    above = _windows(areas, top, shift=1)
-    if below is None or above is None:
-        both = below if above is None else above
-        return areas if both is None else both
-    return mapped(shapely.intersection, below, above)
+    #: Solid layers above a bottom and below a top.
+    bottom: int
+    top: int
+    #: Width of a line, mm; narrower solid slivers are the walls' business.
+    line_mm: float
+    #: Sparse pieces below this area become solid, mm².
+    smallest_mm2: float
 
 
 def split(
-    inner: Geometries, covered: Geometries, line_mm: float, smallest_mm2: float
+    inner: Geometries,
+    layer: npt.NDArray[np.int64],
+    areas: Geometries,
+    shells: Shells,
 ) -> tuple[Geometries, Geometries]:
     """Split what the walls leave into solid and sparse fill.
 
     Parameters
     ----------
     inner
-        Area within the walls, shape (N,).
-    covered
-        For each, what `buried` gives for its layer.
-    line_mm
-        Width of a line, mm; narrower solid slivers are the walls' business.
-    smallest_mm2
-        Sparse pieces below this area become solid, mm².
+        Area within the walls of each island, shape (N,).
+    layer
+        Layer of each island, shape (N,).
+    areas
+        What each layer covers, shape (K,).
+    shells
+        How many layers are solid, and what is too small for either fill.
 
     Returns
     -------
     solid, sparse
         Areas, shape (N,) each.
     """
-    sparse = mapped(shapely.intersection, inner, covered)
-    sparse = _without_small(sparse, smallest_mm2)
-    solid = mapped(shapely.difference, inner, sparse)
-    touched = np.flatnonzero(~shapely.is_empty(solid))
-    solid[touched] = offset(offset(solid[touched], -line_mm / 2), line_mm / 2)
+    sparse = inner.copy()
+    shapely.prepare(areas)
+    for step in (*range(-shells.bottom, 0), *range(1, shells.top + 1)):
+        _cover(sparse, layer + step, areas)
+    sparse = _without_small(sparse, shells.smallest_mm2)
+    solid: Geometries = np.full(len(inner), _EMPTY, dtype=object)
+    change = shapely.area(inner) - shapely.area(sparse) > shells.line_mm**2
+    whole = change & shapely.is_empty(sparse)
+    part = np.flatnonzero(change & ~whole)
+    solid[whole] = inner[whole]
+    rest = mapped(shapely.difference, inner[part], sparse[part])
+    solid[part] = offset(offset(rest, -shells.line_mm / 2), shells.line_mm / 2)
     return solid, sparse
 
 
-def _windows(areas: Geometries, count: int, shift: int) -> Geometries | None:
-    """Intersect, for each layer k, the layers k + shift … k + shift + count − 1."""
-    if count == 0:
-        return None
-    window = areas
-    for reach in range(1, count):
-        window = mapped(shapely.intersection, window, _shifted(areas, reach))
-    return _shifted(window, shift)
-
-
-def _shifted(areas: Geometries, by: int) -> Geometries:
-    """Put area k + by in place k; nothing where there is no such layer."""
-    result: Geometries = np.full(len(areas), _EMPTY, dtype=object)
-    low, high = max(0, by), min(len(areas), len(areas) + by)
-    result[low - by : high - by] = areas[low:high]
-    return result
+def _cover(sparse: Geometries, layer: npt.NDArray[np.int64], areas: Geometries) -> None:
+    """Keep, in place, what a layer's area covers; nothing where there is no such layer."""
+    left = np.flatnonzero(~shapely.is_empty(sparse))
+    exists = (layer[left] >= 0) & (layer[left] < len(areas))
+    sparse[left[~exists]] = _EMPTY
+    left = left[exists]
+    # Most areas lie well within their neighbours, which prepared geometries tell at a glance; it
+    # is asked in one thread, since a prepared geometry builds its index when first asked.
+    cut = left[~shapely.contains_properly(areas[layer[left]], sparse[left])]
+    sparse[cut] = mapped(shapely.intersection, sparse[cut], areas[layer[cut]])
 
 
 def _without_small(geometries: Geometries, smallest_mm2: float) -> Geometries:
