@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import wireprint
-from wireprint import limits
 from wireprint.gcode import document
 from wireprint.layerwise.areas import areas
 from wireprint.layerwise.printing import layered

@@ -41,13 +41,14 @@ def png(comparison: Comparison, title: str) -> bytes:
     """
     from PIL import Image, ImageDraw, ImageFont
 
+    # Pillow's own font lacks the multiplication sign.
     font = ImageFont.load_default(_FONT)
     rows = comparison.conditions
     height = 2 * _MARGIN + _ROW * (len(rows) + 1)
     image = Image.new("RGB", (_WIDTH, height), _PAPER)
     draw = ImageDraw.Draw(image)
     draw.text((_MARGIN, _MARGIN + _ROW / 2), title, _INK, font, anchor="lm")
-    values = [f"{clock(row.print_time_s)}  ({row.speedup:.1f}×)" for row in rows]
+    values = [f"{clock(row.print_time_s)}  ({row.speedup:.1f} x)" for row in rows]
     left = 2 * _MARGIN + max(draw.textlength(row.condition, font) for row in rows)
     room = _WIDTH - _MARGIN - _GAP - left - max(draw.textlength(value, font) for value in values)
     longest_s = max(row.print_time_s for row in rows)

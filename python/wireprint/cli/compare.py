@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from wireprint.comparison import Comparison
 
 #: Length of the longest bar, characters.
-_BAR = 24
+_BAR = 20
 
 
 @click.command()

@@ -18,6 +18,12 @@ if TYPE_CHECKING:
 _CHUNK = 32
 
 
+def _workers() -> int:
+    """Return how many threads the core may use, too: one variable limits both."""
+    limit = os.environ.get("RAYON_NUM_THREADS", "")
+    return int(limit) if limit.isdecimal() and int(limit) else len(os.sched_getaffinity(0))
+
+
 def mapped(
     function: Callable[..., npt.NDArray[Any]], *columns: npt.NDArray[Any]
 ) -> npt.NDArray[Any]:
@@ -36,10 +42,11 @@ def mapped(
         The results, in order, shape (N,).
     """
     count = len(columns[0])
-    chunks = min(4 * (os.cpu_count() or 1), count // _CHUNK)
-    if chunks < 2:
+    workers = _workers()
+    chunks = min(4 * workers, count // _CHUNK)
+    if workers < 2 or chunks < 2:
         return function(*columns)
     cuts = np.linspace(0, count, chunks + 1).astype(int)
     parts = [tuple(column[low:high] for column in columns) for low, high in pairwise(cuts)]
-    with ThreadPoolExecutor() as pool:
+    with ThreadPoolExecutor(workers) as pool:
         return np.concatenate(list(pool.map(lambda part: function(*part), parts)))
