@@ -21,7 +21,11 @@ _CHUNK = 32
 def _workers() -> int:
     """Return how many threads the core may use, too: one variable limits both."""
     limit = os.environ.get("RAYON_NUM_THREADS", "")
-    return int(limit) if limit.isdecimal() and int(limit) else len(os.sched_getaffinity(0))
+    if limit.isdecimal() and int(limit):
+        return int(limit)
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def mapped(
