@@ -347,9 +347,9 @@ fn join(item: &mut Move, course: &Course, last: &Move, before: &Course, corner_f
     };
     let mut start_v2 = lesser(item.top_v2, last.top_v2);
     let feed_change = course.feed_ratio - before.feed_ratio;
-    if feed_change != 0.0 {
-        let corner_v = corner_feed_v / feed_change;
-        start_v2 = lesser(start_v2, corner_v * corner_v);
+    let (jump_v2, most_v2) = (start_v2 * feed_change * feed_change, corner_feed_v * corner_feed_v);
+    if jump_v2 > most_v2 {
+        start_v2 *= most_v2 / jump_v2;
     }
     // Halves of the angle between the strokes. With s² + k² = 1, s/(1 − s) is s(1 + s)/k² and
     // s/(4k) is sk/(4k²): one division, and exact where the strokes are nearly in line.
