@@ -97,7 +97,7 @@ def test_the_lines_of_a_square_join_to_one():
 
 def test_a_box_is_solid_only_near_its_bottom_and_top():
     layers = np.repeat(squares(30.0), 20)
-    shells = Shells(bottom=3, top=2, line_mm=0.8, smallest_mm2=0.0)
+    shells = Shells(bottom=3, top=2, line_mm=0.8, anchor_mm=0.0, smallest_mm2=0.0)
     solid, sparse = split(np.repeat(squares(27.0), 20), np.arange(20), layers, shells)
     assert np.flatnonzero(~shapely.is_empty(solid)).tolist() == [0, 1, 2, 18, 19]
     assert shapely.area(solid) + shapely.area(sparse) == pytest.approx(27.0**2)
@@ -105,10 +105,18 @@ def test_a_box_is_solid_only_near_its_bottom_and_top():
 
 def test_under_a_step_the_ledge_alone_is_solid():
     layers = np.concatenate([np.repeat(squares(30.0), 10), np.repeat(squares(15.0), 10)])
-    shells = Shells(bottom=0, top=1, line_mm=0.8, smallest_mm2=0.0)
+    shells = Shells(bottom=0, top=1, line_mm=0.8, anchor_mm=0.0, smallest_mm2=0.0)
     solid, _ = split(layers.copy(), np.arange(20), layers, shells)
     assert shapely.area(solid[9]) == pytest.approx(30.0**2 - 15.0**2)
     assert shapely.is_empty(solid[8])
+
+
+def test_a_ledge_reaches_over_the_sparse_fill_beside_it():
+    layers = np.concatenate([np.repeat(squares(30.0), 10), np.repeat(squares(15.0), 10)])
+    shells = Shells(bottom=0, top=1, line_mm=0.8, anchor_mm=2.0, smallest_mm2=0.0)
+    solid, sparse = split(layers.copy(), np.arange(20), layers, shells)
+    assert sparse[9].area == pytest.approx((15.0 - 2 * 2.0) ** 2)
+    assert solid[9].area == pytest.approx(30.0**2 - sparse[9].area)
 
 
 def test_full_infill_extrudes_the_volume_of_the_model(cube):

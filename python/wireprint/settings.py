@@ -350,6 +350,9 @@ class LayerProfile(Section):
     solid_below_mm2: float = Field(
         70.0, ge=0, le=10000, description="smaller sparse areas are solid; PrusaSlicer's default"
     )
+    solid_anchor: float = Field(
+        3.0, ge=0, le=20, description="solid reaches over sparse, in line widths; fits PrusaSlicer"
+    )
     link_mm: float = Field(
         50.0, ge=0, le=1000, description="longest link between sparse lines; PrusaSlicer's default"
     )

@@ -54,7 +54,11 @@ class Recipe:
             overlap_mm=profile.infill_overlap * width,
             perimeters=profile.perimeters,
             shells=Shells(
-                profile.bottom_layers, profile.top_layers, width, profile.solid_below_mm2
+                profile.bottom_layers,
+                profile.top_layers,
+                width,
+                profile.solid_anchor * width,
+                profile.solid_below_mm2,
             ),
             infill_density=profile.infill_density,
             solid_link_mm=profile.solid_link * spacing,

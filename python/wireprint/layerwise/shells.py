@@ -26,6 +26,8 @@ class Shells:
     top: int
     #: Width of a line, mm; narrower solid slivers are the walls' business.
     line_mm: float
+    #: By how much solid areas reach over sparse ones, mm.
+    anchor_mm: float
     #: Sparse pieces below this area become solid, mm².
     smallest_mm2: float
 
@@ -65,7 +67,10 @@ def split(
     part = np.flatnonzero(change & ~whole)
     solid[whole] = inner[whole]
     rest = mapped(shapely.difference, inner[part], sparse[part])
-    solid[part] = offset(offset(rest, -shells.line_mm / 2), shells.line_mm / 2)
+    # Slivers go; what stays reaches over the sparse fill that holds its ends.
+    rest = offset(offset(rest, -shells.line_mm / 2), shells.line_mm / 2 + shells.anchor_mm)
+    solid[part] = mapped(shapely.intersection, rest, inner[part])
+    sparse[part] = mapped(shapely.difference, inner[part], rest)
     return solid, sparse
 
 
