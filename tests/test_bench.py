@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import bench_jobs
-from wireprint import ModelError, SettingError, Settings, cli, examples
-from wireprint.bench import histogram, pool, run, table, task
+from wireprint import ModelError, SettingError, Settings, cli, comparison, examples
+from wireprint.bench import figures, histogram, pool, run, table, task
 from wireprint.bench.local import Processes
 from wireprint.bench.plan import Placement, plan
 from wireprint.bench.table import COLUMNS, Table
@@ -117,6 +117,25 @@ class TestTask:
         row = task.run(job(bench_jobs.faulty), planned(cube)[0])
         assert row["error"] == "unexpected ZeroDivisionError: by zero"
         assert row["size_x_mm"] == pytest.approx(28)
+
+
+class TestFigures:
+    def test_a_condition_that_fails_costs_only_its_own_cells(self, cube, monkeypatch):
+        compare = comparison.compare
+
+        def fails_in_layers(mesh, settings, conditions):
+            if "layerwise-fast" in conditions:
+                raise ModelError("too thin")
+            return compare(mesh, settings, conditions)
+
+        monkeypatch.setattr(comparison, "compare", fails_in_layers)
+        row = task.run(job(figures.comparison), planned(cube)[0])
+        assert row["error"] == "layerwise-fast: too thin"
+        assert "layerwise_fast_time_s" not in row
+        assert row["certified"] is True
+        solid_s, wire_s = row["layerwise_solid_time_s"], row["wireprint_time_s"]
+        assert row["wireprint_speedup"] == pytest.approx(solid_s / wire_s)
+        assert wire_s == pytest.approx(row["print_time_s"])
 
 
 class Fragile:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from wireprint._core import UnprintableError, WireprintError
+from wireprint.comparison import CONDITIONS
 from wireprint.pipeline import make
 
 if TYPE_CHECKING:
@@ -20,17 +22,45 @@ def certificate(mesh: Mesh, settings: Settings, row: Row) -> None:
 
 
 def comparison(mesh: Mesh, settings: Settings, row: Row) -> None:
-    """Fill in the certificate, and time and filament under every condition."""
-    from wireprint.comparison import compare
+    """Fill in the certificate, and time and filament under every condition.
 
+    Raises
+    ------
+    UnprintableError
+        Some conditions failed; the cells of the others are filled in.
+    """
     certificate(mesh, settings, row)
-    for one in compare(mesh, settings).conditions:
-        prefix = one.condition.replace("-", "_")
-        row[f"{prefix}_time_s"] = one.print_time_s
-        row[f"{prefix}_filament_mm"] = one.filament_mm
-        row[f"{prefix}_filament_g"] = one.filament_g
-        row[f"{prefix}_speedup"] = one.speedup
-        row[f"{prefix}_compute_s"] = one.compute_s
+    # One at a time: what a layer slicer cannot print may still be worth a wire print.
+    failures = [
+        f"{name}: {reason}"
+        for name in CONDITIONS
+        if (reason := _condition(name, mesh, settings, row)) is not None
+    ]
+    if failures:
+        raise UnprintableError("; ".join(failures))
+
+
+def column(condition: str, figure: str) -> str:
+    """Name of the column of a condition's figure."""
+    return f"{condition.replace('-', '_')}_{figure}"
+
+
+def _condition(name: str, mesh: Mesh, settings: Settings, row: Row) -> str | None:
+    """Fill in one condition; return why it fails, if it does."""
+    from wireprint import comparison
+
+    try:
+        [found] = comparison.compare(mesh, settings, [name]).conditions
+    except Exception as error:
+        return str(error) if isinstance(error, WireprintError) else repr(error)
+    row[column(name, "time_s")] = found.print_time_s
+    row[column(name, "filament_mm")] = found.filament_mm
+    row[column(name, "filament_g")] = found.filament_g
+    row[column(name, "compute_s")] = found.compute_s
+    base_s = row.get(column(CONDITIONS[0], "time_s"))
+    if base_s is not None:
+        row[column(name, "speedup")] = base_s / found.print_time_s
+    return None
 
 
 def sizes(mesh: Mesh) -> dict[str, Any]:

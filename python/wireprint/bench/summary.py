@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from wireprint.bench.figures import column
 from wireprint.bench.histogram import quantile
 from wireprint.comparison import CONDITIONS
 
@@ -35,7 +36,7 @@ def summary(rows: Sequence[Row]) -> dict[str, Any]:
 
 def speedups_of(rows: Sequence[Row], condition: str) -> list[float]:
     """Return the speed-ups of one condition, of all models that have one."""
-    return _values(rows, f"{condition.replace('-', '_')}_speedup")
+    return _values(rows, column(condition, "speedup"))
 
 
 def distribution(values: Sequence[float]) -> dict[str, float] | None:

@@ -9,6 +9,7 @@ import os
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
+from wireprint.bench.figures import column
 from wireprint.comparison import CONDITIONS
 from wireprint.files import written_whole
 
@@ -51,7 +52,7 @@ COLUMNS: Final[dict[str, type]] = {
     "plan_s": float,
     "compute_s": float,
 } | {
-    f"{condition.replace('-', '_')}_{figure}": float
+    column(condition, figure): float
     for condition in CONDITIONS
     for figure in ("time_s", "filament_mm", "filament_g", "speedup", "compute_s")
 }
