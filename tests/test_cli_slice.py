@@ -190,6 +190,17 @@ def test_every_option_reaches_the_settings_in_the_file(arguments, key, value, cu
     assert found == value
 
 
+@pytest.mark.parametrize("pattern", ["zigzag", "peaks"])
+@pytest.mark.parametrize("strategy", ["pause", "slow", "overshoot"])
+@pytest.mark.parametrize("cooling", ["valve", "fan", "none"])
+def test_every_way_of_printing_a_sphere_keeps_the_rules(
+    pattern, strategy, cooling, sphere, tmp_path
+):
+    ways = ["--pattern", pattern, "--strategy", strategy, "--cooling", cooling]
+    result = run("slice", sphere, "-o", tmp_path / "sphere.gcode", "--scale", "0.5", *ways)
+    assert result.exit_code == 0, result.stderr
+
+
 def test_a_loaded_file_lies_between_profile_and_options(cube, tmp_path):
     mine = tmp_path / "mine.toml"
     mine.write_text('[wire]\nslab_max_mm = 5\nslab_min_mm = 1\n[gcode]\nflavor = "marlin"\n')

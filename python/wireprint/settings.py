@@ -135,7 +135,9 @@ class Motion(Section):
     arc_resolution: Positive = Field(1.0, description="mm; Klipper's default")
     delta_radius: Positive | None = Field(None, description="mm; delta: effector to tower")
     arm_length: Positive | None = Field(None, description="mm; delta: diagonal rod")
-    print_radius: Positive | None = Field(None, description="mm; delta: reach of the tip")
+    print_radius: Positive | None = Field(
+        None, description="mm; delta: as in Klipper's tables; the bed's size counts here"
+    )
     step_distance: Positive | None = Field(None, description="mm; delta: travel of one microstep")
     endstop_height: Positive | None = Field(None, description="mm; delta: tip over bed after G28")
     marlin: Marlin | None = Field(None, description="the same for Marlin and its relatives")
@@ -218,7 +220,7 @@ class Printer(Section):
     @model_validator(mode="after")
     def _a_delta_knows_its_geometry(self) -> Self:
         motion = self.motion
-        needed = ("delta_radius", "arm_length", "print_radius", "step_distance", "endstop_height")
+        needed = ("delta_radius", "arm_length", "step_distance", "endstop_height")
         missing = [name for name in needed if getattr(motion, name) is None]
         if self.kinematics == "delta" and missing:
             msg = f"a delta needs motion.{missing[0]}"

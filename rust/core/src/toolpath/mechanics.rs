@@ -12,7 +12,7 @@ pub enum Strategy {
     Pause,
     /// Slow motion and no pause.
     Slow,
-    /// Full speed past the end, then back: anticipates the sag (the paper's figure 14).
+    /// Full speed, then up past the end and back: anticipates the sag (the paper's figure 14).
     Overshoot,
 }
 
@@ -40,8 +40,11 @@ pub fn print(path: &mut Toolpath, strand: &Strand, p: &PathParams) {
             path.push(strand, strand.to, speed, feed, p.pause, air(strand, p));
         }
         (Strategy::Overshoot, true) => {
+            path.push(strand, strand.to, speed, feed, 0.0, air(strand, p));
+            // The head draws the soft strand on without feeding it: what is fed up there would
+            // stand in the way back.
             let beyond = strand.to + DVec3::Z * p.overshoot;
-            path.push(strand, beyond, speed, feed, 0.0, air(strand, p));
+            path.travel(beyond, speed, strand.slab);
             path.travel(strand.to, p.travel_speed, strand.slab);
         }
         _ => bonded(path, strand, speed, feed, p),
