@@ -37,7 +37,10 @@ pub struct Profile {
     bottom: f64,
     step: f64,
     layers: usize,
+    /// By kind, then by layer.
     cells: Vec<Cell>,
+    /// First layer with a face of each kind, and one past the last.
+    spans: Vec<(usize, usize)>,
 }
 
 impl Profile {
@@ -46,7 +49,8 @@ impl Profile {
     pub fn new(mesh: &Mesh, bottom: f64, top: f64, step: f64) -> Self {
         let layers = (((top - bottom) / step).ceil() as usize).max(1);
         let step = (top - bottom).max(f64::MIN_POSITIVE) / layers as f64;
-        let empty = Self { bottom, step, layers, cells: vec![Cell::default(); layers * KINDS] };
+        let cells = vec![Cell::default(); layers * KINDS];
+        let empty = Self { bottom, step, layers, cells, spans: Vec::new() };
         let parts: Vec<Vec<Cell>> = mesh
             .faces
             .par_chunks(CHUNK)
@@ -69,6 +73,7 @@ impl Profile {
         for cell in profile.cells.iter_mut().filter(|c| c.upright > 0.0) {
             cell.slope /= cell.upright;
         }
+        profile.spans = profile.cells.chunks(profile.layers).map(span).collect();
         profile
     }
 
@@ -89,7 +94,7 @@ impl Profile {
         // The face, spread evenly over its layers.
         let share = 1.0 / (last - first + 1) as f64;
         for layer in first..=last {
-            let cell = &mut cells[layer * KINDS + kind];
+            let cell = &mut cells[kind * self.layers + layer];
             cell.area += share * normal.length();
             cell.upright += share * across;
             cell.slope += share * across * slope;
@@ -117,18 +122,28 @@ impl Profile {
 
     /// Deviation times area, area, and lean of one kind of face between two layers.
     fn kind_deviation(&self, kind: usize, first: usize, last: usize) -> (f64, f64, f64) {
-        let cell = |layer: usize| self.cells[layer * KINDS + kind];
-        let total: f64 = (first..=last).map(|l| cell(l).slope).sum();
-        let mean = total / (last - first + 1) as f64;
+        let (begin, end) = self.spans[kind];
+        if begin > last || end <= first {
+            return (0.0, 0.0, 0.0);
+        }
+        let cells = &self.cells[kind * self.layers..][first..=last];
+        let total: f64 = cells.iter().map(|c| c.slope).sum();
+        let mean = total / cells.len() as f64;
         let upright = 1.0 / (1.0 + mean * mean).sqrt();
-        let (mut reach, mut sum, mut area) = (0.0, 0.0, 0.0);
-        for layer in first..=last {
-            let c = cell(layer);
+        let (mut reach, mut sum, mut area) = (0.0_f64, 0.0, 0.0);
+        for c in cells {
             let stray = (c.slope - mean) * self.step;
-            sum += c.area * (reach + 0.5 * stray).abs() * upright;
+            sum += c.area * (reach + 0.5 * stray).abs();
             area += c.area;
             reach += stray;
         }
-        (sum, area, total * self.step)
+        (sum * upright, area, total * self.step)
     }
+}
+
+/// First cell with faces, and one past the last.
+fn span(cells: &[Cell]) -> (usize, usize) {
+    let holds = |c: &Cell| c.area > 0.0;
+    let begin = cells.iter().position(holds).unwrap_or(cells.len());
+    (begin, cells.iter().rposition(holds).map_or(begin, |i| i + 1))
 }

@@ -116,7 +116,8 @@ impl Build<'_> {
             let kind = if contours[i].support { Kind::Support } else { Kind::Contour };
             let longest = f64::INFINITY;
             let course = Course { start, z, tolerance: BED_FOLLOW, longest, kind };
-            ground.rims[i] = Some(self.out.ring(&curve, &[], &course).0);
+            let (rim, _) = self.out.ring(&curve, &[], &course);
+            ground.rims[i] = Some(Rim { held: true, ..rim });
         }
         let closes = |floor: &&Strip| floor.closes(contours, &floor.upper);
         for floor in self.sliced.ledges[0].iter().flatten().filter(closes) {

@@ -11,6 +11,8 @@ pub struct Rim {
     pub closed: bool,
     /// Whether strands join the vertices; a chain of bare peaks has none.
     pub printed: bool,
+    /// Whether the bed carries it all along, so that a post stands as well between vertices.
+    pub held: bool,
     /// Segments, by the number of their first vertex, that are left out; ascending.
     pub gaps: Vec<usize>,
 }
@@ -45,20 +47,30 @@ impl Rim {
     /// The place on the rim that is horizontally nearest to `p`.
     #[must_use]
     pub fn nearest(&self, p: DVec2) -> Option<Foothold> {
-        let mut best: Option<(f64, DVec3, f64)> = None;
+        let mut best: Option<Foothold> = None;
+        let mut nearest = f64::INFINITY;
         for (a, b) in self.segments() {
             let (flat, along) = (a.truncate(), (b - a).truncate());
-            let square = along.length_squared().max(f64::MIN_POSITIVE);
-            let t = ((p - flat).dot(along) / square).clamp(0.0, 1.0);
-            let distance = (flat + along * t).distance_squared(p);
-            if best.is_none_or(|b| distance < b.0) {
-                best = Some((distance, a.lerp(b, t), t.min(1.0 - t) * square.sqrt()));
+            let (to_p, square) = (p - flat, along.length_squared());
+            // Most segments lie too far away, whatever their nearest point: no division for them.
+            let beside = to_p.length_squared() - square;
+            if beside > nearest * (nearest + 2.0 * square.sqrt()) {
+                continue;
+            }
+            let t = (to_p.dot(along) / square.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+            let distance = to_p.distance(along * t);
+            if distance < nearest {
+                nearest = distance;
+                let beside = if self.held { 0.0 } else { t.min(1.0 - t) };
+                let offset = beside * square.sqrt();
+                best = Some(Foothold { position: a.lerp(b, t), distance, offset });
             }
         }
-        if best.is_none() {
-            best = self.points.first().map(|q| (q.truncate().distance_squared(p), *q, 0.0));
-        }
-        best.map(|(d, position, offset)| Foothold { position, distance: d.sqrt(), offset })
+        best.or_else(|| {
+            let only = self.points.first()?;
+            let distance = only.truncate().distance(p);
+            Some(Foothold { position: *only, distance, offset: 0.0 })
+        })
     }
 }
 
