@@ -12,6 +12,8 @@ use crate::head::Head;
 
 /// Strokes shorter than this part of the strand's diameter are mere contact and are not printed.
 const CONTACT: f64 = 0.5;
+/// Points nearer than this are one point, told apart by rounding only, mm.
+const SAME: f64 = 1e-6;
 /// A ring of one stretch is gone round until the strand, so many diameters long, lies on itself.
 const CLOSING: f64 = 3.5;
 /// A ring is never simplified by more than this part of its length.
@@ -62,6 +64,8 @@ impl<'a> Builder<'a> {
 
     /// Prints one strand; a `floating` one ends in the air.
     pub fn stroke(&mut self, from: DVec3, to: DVec3, kind: Kind, floating: bool) {
+        // A strand that goes on from the last one begins at the very same point.
+        let from = self.at().filter(|at| at.distance(from) < SAME).unwrap_or(from);
         self.material.add(from, to);
         self.strands.push(Strand { from, to, kind, slab: self.slab, floating });
     }
@@ -69,7 +73,7 @@ impl<'a> Builder<'a> {
     /// Prints a polyline.
     pub fn polyline(&mut self, points: &[DVec3], kind: Kind) {
         for pair in points.windows(2) {
-            if pair[0] != pair[1] {
+            if pair[0].distance(pair[1]) > SAME {
                 self.stroke(pair[0], pair[1], kind, false);
             }
         }
