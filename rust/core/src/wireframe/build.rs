@@ -6,7 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::builder::{Builder, Course};
+use super::builder::{Builder, Course, SAME};
 use super::columns::{self, Wants};
 use super::curve::Curve;
 use super::posts::Post;
@@ -162,6 +162,12 @@ impl Build<'_> {
         let vertices = carriers.iter().flat_map(|r| &r.points);
         let nearest = vertices.min_by(|a, b| a.distance(at).total_cmp(&b.distance(at)));
         curve.nearest(nearest.copied().unwrap_or(at).truncate()).s
+    }
+
+    /// The end of the last strand, if it is a vertex of one of the carriers.
+    pub(super) fn going_on(&self, carriers: &[&Rim]) -> Option<DVec3> {
+        let at = self.out.at()?;
+        carriers.iter().flat_map(|r| &r.points).find(|p| p.distance(at) < SAME).copied()
     }
 
     /// Notes a part of the surface that is not printed.

@@ -13,7 +13,7 @@ use crate::head::Head;
 /// Strokes shorter than this part of the strand's diameter are mere contact and are not printed.
 const CONTACT: f64 = 0.5;
 /// Points nearer than this are one point, told apart by rounding only, mm.
-const SAME: f64 = 1e-6;
+pub const SAME: f64 = 1e-6;
 /// A ring of one stretch is gone round until the strand, so many diameters long, lies on itself.
 const CLOSING: f64 = 3.5;
 /// A ring is never simplified by more than this part of its length.

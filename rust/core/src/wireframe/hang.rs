@@ -84,6 +84,7 @@ impl Build<'_> {
             curve,
             z,
             start,
+            from: None,
             rims: carriers,
             walls: &walls,
             wall: 0,

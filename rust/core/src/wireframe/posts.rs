@@ -56,18 +56,19 @@ const CORNER: f64 = 0.6;
 const CORNER_REACH: f64 = 1.0;
 
 /// Lists the candidates of a contour at height `z` from arc length `start` on, sorted by arc
-/// length; the first one is at the start. `on_peaks` keeps only those that stand on a rim vertex.
+/// length; the first one is at the start, with its foothold on `from` if that is given. `on_peaks` keeps only those that stand on a rim vertex.
 #[must_use]
 pub fn candidates(
     curve: &Curve,
     z: f64,
     start: f64,
+    from: Option<DVec3>,
     rims: &[&Rim],
     step: f64,
     on_peaks: bool,
 ) -> Vec<Candidate> {
     let length = curve.length();
-    let mut places: Vec<(f64, Option<DVec3>)> = vec![(0.0, None)];
+    let mut places: Vec<(f64, Option<DVec3>)> = vec![(0.0, from)];
     if !on_peaks {
         let count = (length / step).ceil().max(1.0);
         places.extend((1..count as usize).map(|i| (length * i as f64 / count, None)));

@@ -103,6 +103,7 @@ impl Build<'_> {
             curve,
             z: top.z,
             start: self.start(curve, carriers),
+            from: self.going_on(carriers),
             rims: carriers,
             walls: &top.walls,
             wall: job.contour,

@@ -1,6 +1,6 @@
 //! The zigzag of one contour: posts, and the diagonals between them, that the head can reach.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::curve::Curve;
 use super::posts::{
@@ -36,6 +36,8 @@ pub struct ZigzagInput<'a> {
     pub z: f64,
     /// Arc length at which the chain begins.
     pub start: f64,
+    /// The end of the last strand, if the first post is to go on from there.
+    pub from: Option<DVec3>,
     /// The printed rims that carry the posts.
     pub rims: &'a [&'a Rim],
     /// All contours of this height, for their distances.
@@ -81,7 +83,7 @@ pub fn zigzag(
     }
     let step = FINEST.max(least / 8.0);
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
-    let mut all = candidates(curve, z, start, rims, step, input.on_peaks);
+    let mut all = candidates(curve, z, start, input.from, rims, step, input.on_peaks);
     let crowd = crowd(input, &mut all, least);
     all.retain(|c| is_free(&c.post));
     let Some(first) = all.first().copied() else { return (start, Vec::new()) };
