@@ -4,7 +4,7 @@ import math
 import re
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import wireprint
@@ -82,6 +82,8 @@ def test_a_steepened_diagonal_is_found(printed, where, share):
     index, start, end = diagonals[int(where * len(diagonals))]
     head = wireprint.Settings.load().printer.head
     height = start[b"Z"] - end[b"Z"] - head.nozzle_mm / 2
+    # A stroke that falls by less than a joint's squash can be as steep as it likes.
+    assume(height > 0.01)
     reach = head.tip_radius_mm + height / math.tan(math.radians(head.slant_deg))
     run = math.hypot(end[b"X"] - start[b"X"], end[b"Y"] - start[b"Y"])
     foot = dict(end)
