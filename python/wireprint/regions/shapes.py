@@ -1,0 +1,123 @@
+"""Shapes that mark a region: solids that hold points, whatever their normals."""
+
+from collections.abc import Callable
+from typing import Annotated, Literal, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from wireprint._core import SettingError
+
+Floats = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
+
+#: A coordinate: a hundred times the largest bed, and far from where numbers lose their micrometres.
+Coordinate = Annotated[float, Field(ge=-1e5, le=1e5, allow_inf_nan=False)]
+Length = Annotated[float, Field(gt=0, le=1e5, allow_inf_nan=False)]
+Point = tuple[Coordinate, Coordinate, Coordinate]
+#: Length below which a vector has no direction.
+_LEAST_VECTOR = 1e-9
+
+
+class Shape(BaseModel):
+    """What a mark covers; immutable."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
+
+    def covers(self, points: Floats, normals: Floats) -> Flags:
+        """Tell which points the shape covers; see `wireprint.regions.Region.covers`."""
+        raise NotImplementedError
+
+
+class Box(Shape):
+    """A box along the axes, its faces included."""
+
+    shape: Literal["box"] = "box"
+    low_mm: Point
+    high_mm: Point
+
+    @model_validator(mode="after")
+    def _corners_in_order(self) -> Self:
+        if any(low > high for low, high in zip(self.low_mm, self.high_mm, strict=True)):
+            raise ValueError("low_mm exceeds high_mm")
+        return self
+
+    def covers(self, points: Floats, normals: Floats) -> Flags:
+        """Tell which points lie in the box."""
+        inside = (points >= self.low_mm) & (points <= self.high_mm)
+        return inside[:, 0] & inside[:, 1] & inside[:, 2]
+
+
+class Sphere(Shape):
+    """A ball, its surface included."""
+
+    shape: Literal["sphere"] = "sphere"
+    centre_mm: Point
+    radius_mm: Length
+
+    def covers(self, points: Floats, normals: Floats) -> Flags:
+        """Tell which points lie in the ball."""
+        squared: Floats = np.square(points - self.centre_mm).sum(axis=1)
+        return squared <= self.radius_mm**2
+
+
+class HalfSpace(Shape):
+    """All points p with normal · p ≥ offset, the normal taken as a unit vector."""
+
+    shape: Literal["half"] = "half"
+    normal: Point
+    offset_mm: Coordinate = Field(description="distance of the plane from x = y = z = 0")
+
+    @model_validator(mode="after")
+    def _normal_has_a_direction(self) -> Self:
+        if np.linalg.norm(self.normal) < _LEAST_VECTOR:
+            raise ValueError("normal has no direction")
+        return self
+
+    def covers(self, points: Floats, normals: Floats) -> Flags:
+        """Tell which points lie on the side that the normal points to."""
+        ahead: Floats = points @ (np.asarray(self.normal) / np.linalg.norm(self.normal))
+        return ahead >= self.offset_mm
+
+
+class ZRange(Shape):
+    """All points between two heights, both included; an end that is None is open."""
+
+    shape: Literal["z"] = "z"
+    low_mm: Coordinate | None = None
+    high_mm: Coordinate | None = None
+
+    @model_validator(mode="after")
+    def _ends_in_order(self) -> Self:
+        if self.low_mm is not None and self.high_mm is not None and self.low_mm > self.high_mm:
+            raise ValueError("low_mm exceeds high_mm")
+        return self
+
+    def covers(self, points: Floats, normals: Floats) -> Flags:
+        """Tell which points lie between the heights."""
+        height = points[:, 2]
+        inside = np.ones(len(points), np.bool_)
+        if self.low_mm is not None:
+            inside &= height >= self.low_mm
+        if self.high_mm is not None:
+            inside &= height <= self.high_mm
+        return inside
+
+
+class Predicate(Shape):
+    """Whatever a function of points says; cannot be written to a file."""
+
+    #: float64 points of shape (N, 3), mm → bool of shape (N,).
+    function: Callable[[Floats], npt.ArrayLike]
+
+    def covers(self, points: Floats, normals: Floats) -> Flags:
+        """Ask the function."""
+        covered = np.asarray(self.function(points))
+        if covered.dtype != np.bool_ or covered.shape != (len(points),):
+            msg = (
+                f"the predicate gave dtype {covered.dtype} and shape {covered.shape} for "
+                f"{len(points)} points; it must give a bool for each"
+            )
+            raise SettingError(msg)
+        return covered
