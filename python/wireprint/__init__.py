@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from wireprint.comparison import Comparison, Condition, compare
     from wireprint.gcode.flavors import KINDS
     from wireprint.mesh import load_mesh
+    from wireprint.orientation import Orientation, orient
     from wireprint.pipeline import WirePrint, make, to_gcode, write_gcode
     from wireprint.settings import Settings
     from wireprint.stages import toolpath, wireframe
@@ -47,6 +48,7 @@ __all__ = [
     "GcodeError",
     "Mesh",
     "ModelError",
+    "Orientation",
     "SettingError",
     "Settings",
     "Toolpath",
@@ -60,6 +62,7 @@ __all__ = [
     "estimate",
     "load_mesh",
     "make",
+    "orient",
     "to_gcode",
     "toolpath",
     "wireframe",
@@ -71,6 +74,7 @@ _HOMES = {
     "Certificate": "wireprint.certificate",
     "Comparison": "wireprint.comparison",
     "Condition": "wireprint.comparison",
+    "Orientation": "wireprint.orientation",
     "Settings": "wireprint.settings",
     "WirePrint": "wireprint.pipeline",
     "check": "wireprint.certificate",
@@ -78,6 +82,7 @@ _HOMES = {
     "estimate": "wireprint.timing",
     "load_mesh": "wireprint.mesh",
     "make": "wireprint.pipeline",
+    "orient": "wireprint.orientation",
     "to_gcode": "wireprint.pipeline",
     "toolpath": "wireprint.stages",
     "wireframe": "wireprint.stages",

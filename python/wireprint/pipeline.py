@@ -17,12 +17,13 @@ from wireprint.timing import Filament
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
     from datetime import datetime
 
     from wireprint._core import Estimate, Mesh, Toolpath, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.gcode.document import Thumbnail
+    from wireprint.orientation import Orientation
     from wireprint.settings import Settings
 
 
@@ -59,6 +60,8 @@ class WirePrint:
     certificate: Certificate | None
     #: Seconds per stage.
     timings_s: dict[str, float]
+    #: How the model was turned, where that was left to us.
+    orientation: Orientation | None = None
 
     def figures(self) -> dict[str, Any]:
         """Tell what people want to know, under the keys of ``wireprint slice --json``."""
@@ -66,6 +69,7 @@ class WirePrint:
         filament, filament_mm = Filament.of(self.settings), self.estimate.filament_mm
         return {
             "size_mm": self.mesh.size_mm,
+            "orientation": None if self.orientation is None else self.orientation.to_dict(),
             "slices": self.wireframe.slice_count,
             "posts": self.wireframe.post_count,
             "strand_mm": moves["strand_mm"],
@@ -105,6 +109,7 @@ def make(
     clock: Clock | None = None,
     certify: bool = True,
     compare: bool = True,
+    orient: bool = False,
 ) -> WirePrint:
     """Turn a mesh into a wire print.
 
@@ -122,6 +127,8 @@ def make(
         Whether to judge the file by the rules of a printable one.
     compare
         Whether the verdict tells coverage and deviation, too.
+    orient
+        Whether to turn the model into the pose that is printed best.
 
     Raises
     ------
@@ -129,18 +136,36 @@ def make(
         No slice has a contour.
     """
     clock = clock or Clock()
+    orientation = None
+    if orient:
+        from wireprint.orientation import orient as best
+
+        with clock.stage("orient"):
+            orientation = best(mesh, settings)
+        mesh = orientation.mesh
     mesh = on_bed(mesh, settings)
     with clock.stage("wireframe"):
         strands = wireframe(mesh, settings)
     with clock.stage("toolpath"):
         path = toolpath(strands, settings)
     with clock.stage("gcode"):
-        gcode, estimate = _written(path, settings, date)
+        remarks = () if orientation is None else (str(orientation),)
+        gcode, estimate = _written(path, settings, date, remarks)
     certificate = None
     if certify:
         with clock.stage("check"):
             certificate = check(gcode, settings, mesh if compare else None)
-    return WirePrint(settings, mesh, strands, path, gcode, estimate, certificate, clock.timings_s)
+    return WirePrint(
+        settings,
+        mesh,
+        strands,
+        path,
+        gcode,
+        estimate,
+        certificate,
+        clock.timings_s,
+        orientation,
+    )
 
 
 def to_gcode(
@@ -183,9 +208,11 @@ def write_gcode(
     written_whole(Path(path), to_gcode(toolpath, settings, **options))
 
 
-def _written(path: Toolpath, settings: Settings, date: datetime | None) -> tuple[bytes, Estimate]:
+def _written(
+    path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
+) -> tuple[bytes, Estimate]:
     thumbnails = _thumbnails(path, settings)
-    body = document.body(path, settings, date or document.dated(None), thumbnails)
+    body = document.body(path, settings, date or document.dated(None), thumbnails, remarks)
     body, estimate = document.timed(body, settings)
     layers = body.count(b";LAYER_CHANGE\n")
     footer = document.footer(settings, estimate.filament_mm, estimate.total_s, layers)

@@ -87,17 +87,7 @@ def wire_print(made: WirePrint) -> dict[str, Any]:
         "unprinted_mm2": sum((part["area_mm2"] for part in told["unprinted"]), 0.0),
         "print_time_s": told["print_time_s"],
         "strand_mm": told["strand_mm"],
-        "support_mm": support_mm(made),
+        "support_mm": made.wireframe.support_mm,
         "filament_g": told["filament_g"],
         "plan_s": sum(told["timings_s"].values()),
     }
-
-
-def support_mm(made: WirePrint) -> float:
-    """Length of the strands that only support others, mm."""
-    import numpy as np
-
-    from wireprint.gcode.flavors import KINDS
-
-    ends = made.wireframe.strands[made.wireframe.strand_kinds == KINDS.index("support")]
-    return float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())

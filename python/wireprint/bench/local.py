@@ -10,6 +10,7 @@ from multiprocessing import connection
 from typing import TYPE_CHECKING
 
 from wireprint.bench import task as bench_task
+from wireprint.threads import cores
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
@@ -19,13 +20,6 @@ if TYPE_CHECKING:
 
     from wireprint.bench.plan import Task
     from wireprint.bench.task import Job, Row
-
-
-def cores() -> int:
-    """Count the cores that this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
 
 
 class Processes:

@@ -60,7 +60,8 @@ def run(
 
 def local(job: Job, jobs: int | None) -> Callable[[int], AbstractContextManager[Any]]:
     """Return what opens processes on this machine: `jobs`, or one a core."""
-    from wireprint.bench.local import Processes, cores
+    from wireprint.bench.local import Processes
+    from wireprint.threads import cores
 
     return lambda tasks: Processes(job, min(jobs or cores(), tasks))
 

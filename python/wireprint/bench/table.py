@@ -29,6 +29,7 @@ COLUMNS: Final[dict[str, type]] = {
     "settings_sha256": str,
     "scale": float,
     "up": str,
+    "turned_deg": str,
     "error": str,
     "triangles": int,
     "size_x_mm": float,

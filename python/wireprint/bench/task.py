@@ -30,6 +30,8 @@ class Job:
     settings: dict[str, Any]
     #: Fills a row with the figures of a mesh; a function of a module that workers can import.
     evaluate: Callable[[Mesh, Settings, Row], None]
+    #: Whether each model is turned into the pose that is printed best.
+    orient: bool = False
 
 
 def run(job: Job, task: Task) -> Row | None:
@@ -58,7 +60,8 @@ def _evaluated(job: Job, task: Task, path: Path, row: Row) -> str | None:
 
     try:
         mesh = load_mesh(path, **asdict(task.placement))
-        job.evaluate(mesh, Settings.from_mapping(job.settings), row)
+        settings = Settings.from_mapping(job.settings)
+        job.evaluate(_turned(mesh, settings, row) if job.orient else mesh, settings, row)
     except WireprintError as error:
         return str(error).removeprefix(f"{path}: ")
     except (KeyboardInterrupt, SystemExit):
@@ -68,6 +71,15 @@ def _evaluated(job: Job, task: Task, path: Path, row: Row) -> str | None:
         # model, not the run; its row says what to look for.
         return f"unexpected {type(error).__name__}: {error}"
     return None
+
+
+def _turned(mesh: Mesh, settings: Settings, row: Row) -> Mesh:
+    """Turn a model into its best pose, and tell the angles about x, y and z."""
+    from wireprint.orientation import orient
+
+    found = orient(mesh, settings)
+    row["turned_deg"] = " ".join(f"{angle:g}" for angle in found.rotate_deg)
+    return found.mesh
 
 
 def started(task: Task) -> Row:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wireprint.cli.options import settings_from, settings_options
-from wireprint.cli.placement import placement_options
+from wireprint.cli.placement import orient_option, placement_options
 from wireprint.cli.progress import Progress
 
 if TYPE_CHECKING:
@@ -42,6 +42,7 @@ SHOWN = 10
 @click.option("--retry-failed", is_flag=True, help="Try models again whose row is a failure.")
 @settings_options
 @placement_options
+@orient_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 def bench(
     models: tuple[str, ...],
@@ -51,6 +52,7 @@ def bench(
     scheduler: str | None,
     retry_failed: bool,
     as_json: bool,
+    orient: bool,
     **options: Any,
 ) -> None:
     """Compare and judge many models at once.
@@ -66,8 +68,9 @@ def bench(
     from wireprint.bench.task import Job
 
     settings = settings_from(options).model_dump(mode="json")
-    job = Job(settings, figures.comparison if compare else figures.certificate)
-    tasks = plan(models, Placement(**options), {"settings": settings, "compare": compare})
+    job = Job(settings, figures.comparison if compare else figures.certificate, orient)
+    fingerprint = {"settings": settings, "compare": compare, "orient": orient}
+    tasks = plan(models, Placement(**options), fingerprint)
     workers = run.cluster(job, scheduler) if scheduler else run.local(job, jobs)
     with Progress(len(tasks)) as progress:
 

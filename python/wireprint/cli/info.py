@@ -3,23 +3,43 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from collections import Counter
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from wireprint.cli.placement import placement_options
+from wireprint.cli.options import settings_from, settings_options
+from wireprint.cli.placement import orient_option, placement_options
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from wireprint.orientation import Orientation
 
 
 @click.command()
 @click.argument("model", type=click.Path())
+@settings_options
 @placement_options
+@orient_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-def info(model: str, as_json: bool, **placement: Any) -> None:
-    """Tell size, surface and faults of a model."""
+def info(model: str, as_json: bool, orient: bool, **options: Any) -> None:
+    """Tell size, surface and faults of a model.
+
+    With --orient auto also: how it would print in several poses, the best of which is described.
+    Settings count for that alone.
+    """
     from wireprint import report
     from wireprint.mesh import load_mesh
 
-    mesh = load_mesh(model, **placement)
+    settings = settings_from(options)
+    mesh = load_mesh(model, **options)
+    turned = None
+    if orient:
+        from wireprint.orientation import orient as best
+
+        turned = best(mesh, settings)
+        mesh = turned.mesh
     found = {
         "model": model,
         "size_mm": mesh.size_mm,
@@ -29,6 +49,7 @@ def info(model: str, as_json: bool, **placement: Any) -> None:
         "repaired": report.repairs(mesh),
         "warnings": report.warnings(mesh),
         "counts": mesh.report,
+        "orientation": None if turned is None else turned.to_dict(),
     }
     if as_json:
         click.echo(json.dumps(found))
@@ -43,3 +64,19 @@ def info(model: str, as_json: bool, **placement: Any) -> None:
         click.echo(f"  repaired   {sentence}")
     for sentence in report.warnings(mesh):
         click.echo(f"  note       {sentence}")
+    if turned is not None:
+        for line in _poses(turned):
+            click.echo(line)
+
+
+def _poses(found: Orientation) -> Iterator[str]:
+    """Tell what each pose comes to, the chosen one marked."""
+    yield f"  pose       {found}"
+    for pose in found.poses:
+        if pose.passed_over is None:
+            mark = "→" if pose is found.chosen else " "
+            angles = ", ".join(f"{angle:.4g}" for angle in pose.rotate_deg)
+            yield f"           {mark} {angles:24} {', '.join(pose.told())}"
+    passed_over = Counter(pose.passed_over for pose in found.poses if pose.passed_over)
+    for reason, count in passed_over.items():
+        yield f"             {count} more: {reason}"

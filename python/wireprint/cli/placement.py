@@ -39,3 +39,14 @@ def placement_options(command: Command) -> Command:
     for option in reversed(options):
         command = option(command)
     return command
+
+
+def orient_option(command: Command) -> Command:
+    """Add the option ``--orient``; the command takes `orient`, whether to turn the model."""
+    return click.option(
+        "--orient",
+        type=click.Choice(["given", "auto"]),
+        default="given",
+        help="Leave the model as it is placed, or turn it so that it prints best.",
+        callback=lambda _ctx, _option, value: value == "auto",
+    )(command)

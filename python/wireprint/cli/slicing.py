@@ -12,7 +12,7 @@ import click
 
 from wireprint._core import UnprintableError, WireprintError
 from wireprint.cli.options import settings_from, settings_options
-from wireprint.cli.placement import placement_options
+from wireprint.cli.placement import orient_option, placement_options
 from wireprint.cli.progress import Progress
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 )
 @settings_options
 @placement_options
+@orient_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 @click.option("--force", is_flag=True, help="Write the file even if it breaks the rules.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
@@ -41,6 +42,7 @@ def slice_models(
     as_json: bool,
     force: bool,
     quiet: bool,
+    orient: bool,
     **options: Any,
 ) -> None:
     """Turn models into wire prints.
@@ -53,7 +55,7 @@ def slice_models(
     """
     targets = _targets(models, output)
     settings = settings_from(options)
-    job = Job(settings, options, force=force, compare=as_json or not quiet)
+    job = Job(settings, options, force=force, compare=as_json or not quiet, orient=orient)
     found: list[dict[str, Any]] = []
     exit_code = 0
     with Progress(len(models)) as progress:
@@ -89,6 +91,8 @@ class Job:
     force: bool
     #: Whether coverage and deviation are asked for.
     compare: bool
+    #: Whether each model is turned into its best pose.
+    orient: bool
 
     def run(self, model: Path, target: Path, progress: Progress) -> dict[str, Any]:
         """Turn one model into a file; return its figures."""
@@ -100,7 +104,14 @@ class Job:
         clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
         with clock.stage("load"):
             mesh = load_mesh(model, **self.placement)
-        made = make(mesh, self.settings, date=dated(model), clock=clock, compare=self.compare)
+        made = make(
+            mesh,
+            self.settings,
+            date=dated(model),
+            clock=clock,
+            compare=self.compare,
+            orient=self.orient,
+        )
         warnings = []
         if made.certificate is not None and not made.certificate.ok:
             reason = _breaches(made.certificate, self.settings)

@@ -18,6 +18,9 @@ def lines(figures: Mapping[str, Any]) -> list[str]:
 def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
     x, y, z = figures["size_mm"]
     yield _row("size", f"{x:.1f} × {y:.1f} × {z:.1f} mm")
+    if (turned := figures["orientation"]) is not None:
+        x, y, z = turned["rotate_deg"]
+        yield _row("turned", f"{x:g}, {y:g}, {z:g}° about x, y, z: {turned['why']}")
     yield _row("wire", f"{figures['slices']} slices, {figures['posts']} posts")
     yield _row("strand", f"{figures['strand_mm'] / 1000:.2f} m")
     yield _row("travel", f"{figures['travel_mm'] / 1000:.2f} m")

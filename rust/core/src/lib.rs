@@ -14,6 +14,7 @@ pub mod gcode;
 pub mod head;
 pub mod mesh;
 pub mod planner;
+pub mod poses;
 pub mod render;
 pub mod slices;
 pub mod toolpath;

@@ -9,6 +9,7 @@ use pyo3::types::PyDict;
 use wireprint_core::mesh;
 use wireprint_core::mesh::place::{Placement, Up};
 use wireprint_core::mesh::repair::{Limits, RepairReport};
+use wireprint_core::poses::Pose;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
@@ -143,6 +144,21 @@ impl Mesh {
     fn centred_in_circle(&self, py: Python<'_>) -> Self {
         let core = py.detach(|| self.core.centred_in_circle());
         Self { core, report: self.report }
+    }
+
+    /// Poses to print it in, the given one first: angles about x, then y, then z (degrees),
+    /// whether the model rests there by itself, and the area (mm², in plan) that hangs.
+    fn poses(&self, py: Python<'_>) -> Vec<([f64; 3], bool, f64)> {
+        let found = py.detach(|| self.core.poses());
+        let degrees = |pose: &Pose| pose.angles().to_array().map(f64::to_degrees);
+        found.iter().map(|pose| (degrees(pose), pose.rests, pose.hanging)).collect()
+    }
+
+    /// The mesh turned about x, then y, then z (degrees) and set down again, centred.
+    fn turned(&self, py: Python<'_>, rotate: [f64; 3]) -> PyResult<Self> {
+        let placement = placement(1.0, "z", rotate, None)?;
+        let core = detached(py, || self.core.clone().placed(&placement))?;
+        Ok(Self { core, report: self.report })
     }
 
     /// Enclosed volume, mm³.

@@ -9,7 +9,7 @@ use wireprint_core::contours::Contour;
 use wireprint_core::head::Head;
 use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::wireframe as core;
-use wireprint_core::wireframe::{Pattern, Placement, Reason, WireParams};
+use wireprint_core::wireframe::{Kind, Pattern, Placement, Reason, WireParams};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached, to_py};
@@ -228,6 +228,12 @@ impl Wireframe {
         let array = PyArray1::from_iter(py, self.core.strands.iter().map(|s| s.slab));
         array.readwrite().make_nonwriteable();
         array
+    }
+
+    /// Length of the strands that only support others, mm.
+    #[getter]
+    fn support_mm(&self) -> f64 {
+        self.core.length_of(Kind::Support)
     }
 
     /// What is not printed: (reason, lower and upper end mm, area mm², a point on it mm) each.

@@ -43,7 +43,7 @@ impl Feature {
 }
 
 /// Faces whose normal leans less than this from the vertical (cosine) count as horizontal.
-const HORIZONTAL: f64 = 0.9999;
+pub(super) const HORIZONTAL: f64 = 0.9999;
 /// Horizontal faces within this height of each other form one flat, mm.
 const FLAT_STEP: f64 = 0.01;
 

@@ -6,6 +6,7 @@
 
 use rayon::prelude::*;
 
+use super::features::HORIZONTAL;
 use crate::mesh::Mesh;
 
 /// Number of directions told apart.
@@ -81,7 +82,8 @@ impl Profile {
         let [a, b, c] = face.map(|v| mesh.vertices[v as usize]);
         let normal = (b - a).cross(c - a) * 0.5;
         let across = normal.truncate().length();
-        if across <= 1e-12 {
+        // A flat is no wall, whichever way it happens to lean.
+        if normal.z.abs() >= HORIZONTAL * normal.length() {
             return;
         }
         let slope = (-normal.z / across).clamp(-STEEPEST, STEEPEST);

@@ -5,6 +5,7 @@ use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 
 use super::PathParams;
+use crate::contours::polygon::convex_hull;
 use crate::wireframe::{Kind, Strand};
 
 /// Largest angle between two strokes of an outline's rounded corner, rad.
@@ -65,29 +66,4 @@ fn outset(loops: &[Vec<DVec2>], distance: f64) -> Vec<Vec<DVec2>> {
         .filter_map(|shape| shape.into_iter().next())
         .map(|outer| outer.into_iter().map(|[x, y]| DVec2::new(x, y)).collect())
         .collect()
-}
-
-/// Andrew's monotone chain; counter-clockwise.
-fn convex_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
-    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    points.dedup();
-    if points.len() < 3 {
-        return points;
-    }
-    let half = |points: &mut dyn Iterator<Item = DVec2>| {
-        let mut chain: Vec<DVec2> = Vec::new();
-        for p in points {
-            while let [.., a, b] = chain[..]
-                && (b - a).perp_dot(p - b) <= 0.0
-            {
-                chain.pop();
-            }
-            chain.push(p);
-        }
-        chain.pop();
-        chain
-    };
-    let mut hull = half(&mut points.iter().copied());
-    hull.extend(half(&mut points.iter().rev().copied()));
-    hull
 }

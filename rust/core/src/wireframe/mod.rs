@@ -155,3 +155,12 @@ pub struct Wireframe {
     /// What is not printed, bottom up.
     pub unprinted: Vec<Unprinted>,
 }
+
+impl Wireframe {
+    /// Length of all strands of a kind, mm.
+    #[must_use]
+    pub fn length_of(&self, kind: Kind) -> f64 {
+        let found = self.strands.iter().filter(|s| s.kind == kind);
+        found.map(|s| s.from.distance(s.to)).fold(0.0, std::ops::Add::add)
+    }
+}
