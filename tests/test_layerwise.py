@@ -60,13 +60,13 @@ def test_a_layer_covers_what_the_model_does_at_its_middle(sphere):
 
 
 def test_walls_run_half_a_line_and_then_a_spacing_inside_the_contour():
-    inner, outer = walls(squares(20.0), 2, width_mm=0.8, spacing_mm=0.75, overlap_mm=0.2).lines
+    inner, outer = walls(squares(20.0), 2, inset_mm=0.4, spacing_mm=0.75, overlap_mm=0.2).lines
     assert outer.lengths_mm() == pytest.approx([4 * (20 - 0.8)])
     assert inner.lengths_mm() == pytest.approx([4 * (20 - 0.8 - 2 * 0.75)])
 
 
 def test_a_wall_that_does_not_fit_is_left_out():
-    inner, outer = walls(squares(2.0), 2, width_mm=0.8, spacing_mm=0.75, overlap_mm=0.2).lines
+    inner, outer = walls(squares(2.0), 2, inset_mm=0.4, spacing_mm=0.75, overlap_mm=0.2).lines
     assert len(outer) == 1
     assert len(inner) == 0
 

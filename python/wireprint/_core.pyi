@@ -253,6 +253,7 @@ class _PathParams(TypedDict):
     first_layer_height_mm: float
     print_mm_s: float
     first_layer_mm_s: float
+    layer_mm_s: float
     slow_mm_s: float
     travel_mm_s: float
     strategy: str
@@ -260,6 +261,7 @@ class _PathParams(TypedDict):
     pause_s: float
     overshoot_mm: float
     retract_mm: float
+    layer_retract_over_mm: float
     retract_speed_mm_s: float
     unretract_speed_mm_s: float
     prime_mm: float
@@ -348,6 +350,15 @@ class _WireParams(TypedDict):
     span_limit_mm: float
     free_end_limit_mm: float
 
+class Layered(TypedDict):
+    strips: npt.NDArray[np.int64]
+    stretches: npt.NDArray[np.int64]
+    stretch_spans: npt.NDArray[np.float64]
+    points: npt.NDArray[np.float64]
+    offsets: npt.NDArray[np.int64]
+    line_slabs: npt.NDArray[np.int64]
+    line_flows: npt.NDArray[np.float64]
+
 class _Contours(TypedDict):
     points: npt.NDArray[np.float64]
     offsets: npt.NDArray[np.int64]
@@ -356,6 +367,13 @@ class _Contours(TypedDict):
     depth: npt.NDArray[np.uint32]
     area: npt.NDArray[np.float64]
     closed: npt.NDArray[np.bool_]
+
+class _Layers(_Contours):
+    slab: npt.NDArray[np.int64]
+    z: npt.NDArray[np.float64]
+    thickness: npt.NDArray[np.float64]
+    face: npt.NDArray[np.int64]
+    strip: npt.NDArray[np.int64]
 
 @final
 class Wireframe:
@@ -383,6 +401,7 @@ class Wireframe:
     def strand_kinds(self) -> npt.NDArray[np.uint8]: ...
     @property
     def strand_slabs(self) -> npt.NDArray[np.uint32]: ...
+    def layers(self, mesh: Mesh, thickness_mm: float, strand_mm: float) -> _Layers: ...
     @property
     def support_mm(self) -> float: ...
     @property
@@ -390,7 +409,9 @@ class Wireframe:
         self,
     ) -> list[tuple[str, float, float, float, tuple[float, float, float]]]: ...
 
-def wireframe(mesh: Mesh, head: _Head, params: _WireParams) -> Wireframe: ...
+def wireframe(
+    mesh: Mesh, head: _Head, params: _WireParams, layered: Layered | None = None
+) -> Wireframe: ...
 def toolpath(wireframe: Wireframe, params: _PathParams) -> Toolpath: ...
 
 _Point: TypeAlias = tuple[float, float, float]

@@ -378,6 +378,23 @@ class LayerProfile(Section):
     )
 
 
+class Regions(LayerProfile):
+    """How marked regions of a wire print are printed layer-wise."""
+
+    width_ratio: float = Field(
+        1.0, ge=0.5, le=1.2, description="line width by nozzle; a strand's, so that lines touch"
+    )
+    inset: float = Field(
+        0.0,
+        ge=0,
+        le=0.5,
+        description="of the outer wall's centre, in line widths; 0: flush with the wire",
+    )
+    shortest_run: float = Field(
+        4.0, ge=1, le=100, description="shorter runs of a region are dropped, in strands; estimated"
+    )
+
+
 class FastProfile(LayerProfile):
     """A modern machine in a hurry; speeds as in Bambu Lab's profiles for its X1 and P1."""
 
@@ -436,6 +453,7 @@ class Settings(Section):
     material: Material
     wire: Wire = Field(default_factory=Wire)
     layerwise: Layerwise = Field(default_factory=Layerwise)
+    regions: Regions = Field(default_factory=Regions)
 
     @model_validator(mode="after")
     def _a_valve_has_a_pin(self) -> Self:

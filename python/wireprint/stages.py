@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from wireprint import _core
 
 if TYPE_CHECKING:
-    from wireprint._core import Mesh, Toolpath, Wireframe
+    from wireprint._core import Layered, Mesh, Toolpath, Wireframe
     from wireprint.settings import Settings
 
 
-def wireframe(mesh: Mesh, settings: Settings) -> Wireframe:
+def wireframe(mesh: Mesh, settings: Settings, layered: Layered | None = None) -> Wireframe:
     """Slice a mesh and lay its strands.
 
     Parameters
@@ -20,6 +21,8 @@ def wireframe(mesh: Mesh, settings: Settings) -> Wireframe:
         The model, placed: its lowest point at z = 0.
     settings
         Printer, material and way of wiring.
+    layered
+        What of it is printed as layers, see `hybrid.plan`.
 
     Returns
     -------
@@ -58,6 +61,7 @@ def wireframe(mesh: Mesh, settings: Settings) -> Wireframe:
             "span_limit_mm": wire.span_limit_mm,
             "free_end_limit_mm": wire.free_end_limit_mm,
         },
+        layered,
     )
 
 
@@ -97,7 +101,7 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
     Toolpath
         Moves as parallel numpy arrays, in the machine's coordinates.
     """
-    printer, wire = settings.printer, settings.wire
+    printer, wire, regions = settings.printer, settings.wire, settings.regions
     width, depth = printer.bed.size_mm
     return _core.toolpath(
         wireframe,
@@ -110,6 +114,7 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
             "first_layer_height_mm": settings.first_layer_height_mm,
             "print_mm_s": printer.speeds.print_mm_s,
             "first_layer_mm_s": printer.speeds.first_layer_mm_s,
+            "layer_mm_s": min(regions.print_mm_s, _melting_mm_s(settings)),
             "slow_mm_s": wire.slow_mm_s,
             "travel_mm_s": printer.speeds.travel_mm_s,
             "strategy": wire.strategy,
@@ -117,6 +122,7 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
             "pause_s": settings.pause_s,
             "overshoot_mm": wire.overshoot_mm,
             "retract_mm": printer.extruder.retract_mm,
+            "layer_retract_over_mm": regions.retract_over_mm,
             "retract_speed_mm_s": printer.extruder.retract_speed_mm_s,
             "unretract_speed_mm_s": printer.extruder.unretract_speed_mm_s,
             "prime_mm": wire.prime_mm,
@@ -126,3 +132,21 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
             "brim_rings": wire.brim_rings,
         },
     )
+
+
+def _melting_mm_s(settings: Settings) -> float:
+    """Speed at which the lines of regions take all that the hot end melts, mm/s."""
+    regions, printer = settings.regions, settings.printer
+    width = regions.width_ratio * printer.head.nozzle_mm
+    melts = regions.max_flow_mm3_s or printer.extruder.max_flow_mm3_s
+    return melts / line_section_mm2(width, regions.layer_height_mm)
+
+
+def line_section_mm2(width_mm: float, layer_mm: float) -> float:
+    """Cross-section of a layer's line: a rectangle between two half circles.
+
+    Notes
+    -----
+    manual.slic3r.org, "Flow math".
+    """
+    return layer_mm * (width_mm - layer_mm * (1 - math.pi / 4))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 import shapely
@@ -50,8 +50,40 @@ def areas(mesh: Mesh, layer_mm: float, resolution_mm: float) -> Geometries:
 
 def of_slices(slices: Slices, resolution_mm: float) -> Geometries:
     """Return the area of each slice; open contours enclose none."""
+    return of_contours(slices, slices.closed, resolution_mm)
+
+
+class Contours(Protocol):
+    """Contours of many slices; see `Slices`."""
+
+    @property
+    def points(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def offsets(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def slice_offsets(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def parent(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def depth(self) -> npt.NDArray[np.uint32]: ...
+
+
+def of_contours(
+    slices: Contours, which: npt.NDArray[np.bool_], resolution_mm: float
+) -> Geometries:
+    """Return the area that some of the contours enclose in each slice.
+
+    Parameters
+    ----------
+    slices
+        The contours.
+    which
+        Those that count, shape (M,); all are closed. A hole counts only with what it is in.
+    resolution_mm
+        How far a simplified contour may leave the exact one, mm.
+    """
     sizes = np.diff(slices.offsets)
-    usable = slices.closed & (sizes >= 3)
+    usable = which & (sizes >= 3)
     result: Geometries = np.full(len(slices.slice_offsets) - 1, _EMPTY, dtype=object)
     if not usable.any():
         return result

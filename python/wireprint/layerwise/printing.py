@@ -35,7 +35,8 @@ def layered(areas: Geometries, recipe: Recipe) -> Toolpath:
         Nothing is wide enough for a line.
     """
     pieces, layer = islands(areas)
-    laid = walls(pieces, recipe.perimeters, recipe.width_mm, recipe.spacing_mm, recipe.overlap_mm)
+    inset_mm = recipe.width_mm / 2
+    laid = walls(pieces, recipe.perimeters, inset_mm, recipe.spacing_mm, recipe.overlap_mm)
     solid, sparse = split(laid.inner, layer, areas, recipe.shells)
     turn = np.where(layer % 2 == 0, np.pi / 4, -np.pi / 4)
     fills = [
@@ -47,4 +48,5 @@ def layered(areas: Geometries, recipe: Recipe) -> Toolpath:
     groups = [*laid.lines, *fills]
     if not any(len(lines) for lines in groups):
         raise ModelError("no part of the model is as wide as a line")
-    return toolpath(routed(groups, layer, recipe.layer_mm, recipe.seam_gap_mm), recipe.rates)
+    heights_mm = (np.arange(len(areas)) + 1) * recipe.layer_mm
+    return toolpath(routed(groups, layer, heights_mm, recipe.seam_gap_mm), recipe.rates)

@@ -32,7 +32,9 @@ class Route:
     offsets: Ints
 
 
-def routed(groups: Sequence[Lines], layer_of_owner: Ints, layer_mm: float, gap_mm: float) -> Route:
+def routed(
+    groups: Sequence[Lines], layer_of_owner: Ints, heights_mm: Floats, gap_mm: float
+) -> Route:
     """Order lines by layer, island and group, and within these by the nearest next end.
 
     Parameters
@@ -42,8 +44,8 @@ def routed(groups: Sequence[Lines], layer_of_owner: Ints, layer_mm: float, gap_m
         is the island.
     layer_of_owner
         Layer of each island, ascending, shape (M,).
-    layer_mm
-        Height of a layer, mm.
+    heights_mm
+        Of each layer, mm, shape (K,).
     gap_mm
         A closed line ends this far before its beginning, mm: the strand's own width fills it.
     """
@@ -68,7 +70,7 @@ def routed(groups: Sequence[Lines], layer_of_owner: Ints, layer_mm: float, gap_m
     index, offsets = _gathered(walker)
     flat = _opened(points[index], offsets, closed[walker.visited], gap_mm)
     layer = layer_of_owner[owner[walker.visited]].repeat(np.diff(offsets))
-    return Route(np.column_stack([flat.real, flat.imag, (layer + 1) * layer_mm]), layer, offsets)
+    return Route(np.column_stack([flat.real, flat.imag, heights_mm[layer]]), layer, offsets)
 
 
 class _Walker:

@@ -25,7 +25,7 @@ class Walls:
 
 
 def walls(
-    islands: Geometries, count: int, width_mm: float, spacing_mm: float, overlap_mm: float
+    islands: Geometries, count: int, inset_mm: float, spacing_mm: float, overlap_mm: float
 ) -> Walls:
     """Lay walls inside islands.
 
@@ -35,14 +35,15 @@ def walls(
         Polygons, shape (N,).
     count
         Walls side by side.
-    width_mm
-        Width of a line, mm: the outer wall's edge lies on the contour.
+    inset_mm
+        From the contour to the centre of the outer wall, mm: half a line's width puts its edge on
+        the contour.
     spacing_mm
         From line to line, mm.
     overlap_mm
         By which the fill runs into the innermost wall, mm.
     """
-    area = offset(islands, -width_mm / 2)
+    area = offset(islands, -inset_mm) if inset_mm else islands
     lines: list[Lines] = []
     for number in range(count):
         if number:

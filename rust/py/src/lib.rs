@@ -5,6 +5,7 @@ mod check;
 mod errors;
 mod estimate;
 mod gcode;
+mod layered;
 mod mesh;
 mod render;
 mod slices;

@@ -13,6 +13,7 @@ use wireprint_core::wireframe::{Kind, Pattern, Placement, Reason, WireParams};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached, to_py};
+use crate::layered::{LayeredArgs, layers};
 use crate::mesh::Mesh;
 
 /// The head's figures, by the names of a printer profile's `[head]` table.
@@ -119,19 +120,23 @@ impl Wireframe {
     }
 }
 
-/// Slices a mesh and lays its strands.
+/// Slices a mesh and lays its strands, those of layers among them.
 #[pyfunction]
+#[pyo3(signature = (mesh, head, params, layered=None))]
 pub fn wireframe(
     py: Python<'_>,
     mesh: &Mesh,
     head: HeadArgs,
     params: WireArgs,
+    layered: Option<LayeredArgs>,
 ) -> PyResult<Wireframe> {
     let head = head.core()?;
     let (heights, wire) = (params.heights(), params.wire()?);
+    let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
     let core = detached(py, || {
         let sliced = core::slice_model(mesh.core(), &head, &heights)?;
-        Ok(core::build(sliced, &head, &wire))
+        layered.fits(&sliced)?;
+        Ok(core::build(sliced, &layered, &head, &wire))
     })?;
     Ok(Wireframe { core: Arc::new(core) })
 }
@@ -236,6 +241,28 @@ impl Wireframe {
         self.core.length_of(Kind::Support)
     }
 
+    /// Divides every slab into layers about `thickness_mm` high, the last at the slab's top, and
+    /// cuts the mesh, which must be the one sliced, at each.
+    ///
+    /// A dict of arrays: `slab` (K,), `z` (K,) mm, `thickness` (K,) mm of each layer; the
+    /// contours' as in `contours_below`; `face` (N,) of the mesh that carries the segment from
+    /// each point on; `strip` (M,) of the slab that each contour lies on, -1 for none.
+    fn layers<'py>(
+        &self,
+        py: Python<'py>,
+        mesh: &Mesh,
+        thickness_mm: f64,
+        strand_mm: f64,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        if !(thickness_mm > 0.0 && thickness_mm.is_finite()) {
+            let message = format!("thickness_mm is {thickness_mm}; it must be positive");
+            return Err(SettingError::new_err(message));
+        }
+        let (mesh, sliced) = (mesh.core(), &self.core.sliced);
+        let cut = detached(py, || Ok(core::cut_layers(mesh, sliced, thickness_mm, strand_mm)))?;
+        layers(py, cut)
+    }
+
     /// What is not printed: (reason, lower and upper end mm, area mm², a point on it mm) each.
     #[getter]
     fn unprinted(&self) -> Vec<(&'static str, f64, f64, f64, [f64; 3])> {
@@ -255,14 +282,18 @@ fn segments<'py>(
     Ok(array)
 }
 
-fn contours<'py>(py: Python<'py>, slices: &[Vec<Contour>]) -> PyResult<Bound<'py, PyDict>> {
-    let all = || slices.iter().flatten();
+/// Contours of many slices as a dict of arrays.
+pub fn contours<'py, S: AsRef<[Contour]>>(
+    py: Python<'py>,
+    slices: &[S],
+) -> PyResult<Bound<'py, PyDict>> {
+    let all = || slices.iter().flat_map(AsRef::as_ref);
     let points = all().flat_map(|c| &c.points).flat_map(|p| p.to_array()).collect();
     let parent = |c: &Contour| c.parent.map_or(-1, i64::from);
     let dict = PyDict::new(py);
     dict.set_item("points", arrays::matrix(py, points, 2)?)?;
     dict.set_item("offsets", offsets(py, all().map(|c| c.points.len())))?;
-    dict.set_item("slice_offsets", offsets(py, slices.iter().map(Vec::len)))?;
+    dict.set_item("slice_offsets", offsets(py, slices.iter().map(|s| s.as_ref().len())))?;
     dict.set_item("parent", PyArray1::from_iter(py, all().map(parent)))?;
     dict.set_item("depth", PyArray1::from_iter(py, all().map(|c| c.depth)))?;
     dict.set_item("area", PyArray1::from_iter(py, all().map(|c| c.area)))?;

@@ -49,12 +49,15 @@ fn bed_lines(strands: &[Strand], p: &PathParams) -> Vec<Strand> {
                 kind,
                 slab: 0,
                 floating: false,
+                flow: 1.0,
+                direct: false,
             })
         })
         .collect()
 }
 
-/// Brings the head to the strand's beginning: back, up over all that stands, across, down.
+/// Brings the head to the strand's beginning: back, up over all that stands, across, down; or
+/// straight, where nothing is in the way.
 fn approach(path: &mut Toolpath, strand: &Strand, top: f64, p: &PathParams) {
     let (at, slab) = (path.at(), strand.slab);
     if path.to.is_empty() {
@@ -70,12 +73,15 @@ fn approach(path: &mut Toolpath, strand: &Strand, top: f64, p: &PathParams) {
         return;
     }
     let over = top + p.travel_lift;
-    let far = at.distance(strand.from) > SHORT && p.retract > 0.0;
+    let short = if strand.direct { p.layer_retract_over } else { SHORT };
+    let far = at.distance(strand.from) > short && p.retract > 0.0;
     if far {
         path.add(at, Kind::Retract, p.retract_speed, -p.retract, slab);
     }
-    path.travel(DVec3::new(at.x, at.y, over.max(at.z)), p.travel_speed, slab);
-    path.travel(strand.from.truncate().extend(over.max(at.z)), p.travel_speed, slab);
+    if !strand.direct {
+        path.travel(DVec3::new(at.x, at.y, over.max(at.z)), p.travel_speed, slab);
+        path.travel(strand.from.truncate().extend(over.max(at.z)), p.travel_speed, slab);
+    }
     path.travel(strand.from, p.travel_speed, slab);
     if far {
         path.add(strand.from, Kind::Unretract, p.unretract_speed, p.retract, slab);

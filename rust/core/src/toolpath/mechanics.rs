@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{PathParams, Toolpath};
-use crate::wireframe::Strand;
+use crate::wireframe::{Kind, Strand};
 
 /// What makes a stroke that ends in the air hold its shape (paper, "Experimentation").
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,7 +34,7 @@ const BOND: f64 = 2.0;
 /// Appends the moves of one strand.
 pub fn print(path: &mut Toolpath, strand: &Strand, p: &PathParams) {
     let speed = speed(strand, p);
-    let feed = strand.from.distance(strand.to) * p.feed_per_mm();
+    let feed = strand.from.distance(strand.to) * p.feed_per_mm() * strand.flow;
     match (p.strategy, strand.floating) {
         (Strategy::Pause, true) => {
             path.push(strand, strand.to, speed, feed, p.pause, air(strand, p));
@@ -56,6 +56,7 @@ fn speed(strand: &Strand, p: &PathParams) -> f64 {
     let on_bed = strand.from.z.max(strand.to.z) <= p.first_layer + 1e-9;
     match p.strategy {
         _ if on_bed => p.bed_speed,
+        _ if strand.kind == Kind::LayerWise => p.layer_speed,
         Strategy::Slow if strand.floating || strand.slab_rises() => p.slow_speed,
         _ => p.print_speed,
     }

@@ -71,6 +71,8 @@ pub struct PathParams {
     pub print_speed: f64,
     /// Speed of extruding onto the bed.
     pub bed_speed: f64,
+    /// Speed of extruding layers.
+    pub layer_speed: f64,
     /// Speed of floating strokes under [`Strategy::Slow`].
     pub slow_speed: f64,
     /// Speed of travelling.
@@ -85,6 +87,8 @@ pub struct PathParams {
     pub overshoot: f64,
     /// Filament pulled back before a travel.
     pub retract: f64,
+    /// Straight travels between a layer's lines that are no longer need no retraction.
+    pub layer_retract_over: f64,
     /// Speed of pulling back.
     pub retract_speed: f64,
     /// Speed of pushing forward again.

@@ -12,7 +12,7 @@ use super::curve::Curve;
 use super::posts::Post;
 use super::rim::Rim;
 use super::strips::Strip;
-use super::{Kind, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
+use super::{Kind, Layered, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
 use crate::contours::Contour;
 use crate::head::Head;
 
@@ -39,8 +39,8 @@ impl Ground {
 
 /// A contour whose posts stand.
 pub struct Standing {
-    /// Its number within the slice.
-    pub contour: usize,
+    /// The number of its curve at the slab's top.
+    pub curve: usize,
     /// Arc length where the chain of posts begins, mm.
     pub start: f64,
     /// Its posts, by arc length from there.
@@ -50,6 +50,7 @@ pub struct Standing {
 /// The print in the making.
 pub struct Build<'a> {
     pub(super) sliced: &'a Sliced,
+    pub(super) layered: &'a Layered,
     pub(super) p: &'a WireParams,
     pub(super) head: &'a Head,
     pub(super) out: Builder<'a>,
@@ -66,28 +67,28 @@ struct Laid {
     wants: Wants,
 }
 
-/// Lays the strands of a sliced model; a second pass adds supports where the first one found
-/// that they are needed.
+/// Lays the strands of a sliced model, those of `layered` among them; a second pass adds supports
+/// where the first one found that they are needed.
 #[must_use]
-pub fn build(mut sliced: Sliced, head: &Head, p: &WireParams) -> Wireframe {
-    let mut laid = lay(&sliced, head, p);
+pub fn build(mut sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
+    let mut laid = lay(&sliced, layered, head, p);
     if !p.supports {
         laid.wants.columns.clear();
     }
     if !(laid.wants.columns.is_empty() && laid.wants.roofs.is_empty()) {
         columns::add(&mut sliced, &laid.wants);
-        laid = lay(&sliced, head, p);
+        laid = lay(&sliced, layered, head, p);
     }
     let Laid { posts, strands, unprinted, .. } = laid;
     Wireframe { posts, strands, unprinted, sliced }
 }
 
-fn lay(sliced: &Sliced, head: &Head, p: &WireParams) -> Laid {
+fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Laid {
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(1.0, f64::max);
     let out = Builder::new(head, p.strand, head.clearance(tallest), low, high);
     let (posts, unprinted, wants) = (Vec::new(), Vec::new(), Wants::default());
-    let mut build = Build { sliced, p, head, out, posts, unprinted, wants };
+    let mut build = Build { sliced, layered, p, head, out, posts, unprinted, wants };
     build.run();
     let Build { out, posts, unprinted, wants, .. } = build;
     Laid { posts, strands: out.strands, unprinted, wants }
@@ -106,7 +107,7 @@ impl Build<'_> {
 
     /// The first contours, pressed onto the bed, and the floors within them.
     fn on_bed(&mut self, z: f64) -> Ground {
-        self.out.begin_slab(0);
+        self.out.begin_slab(0, &[]);
         let contours = &self.sliced.upper[0];
         let mut ground = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
         let mut waiting: Vec<usize> = (0..contours.len()).collect();

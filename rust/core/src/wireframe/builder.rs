@@ -2,7 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
+use super::ahead::Ahead;
 use super::curve::Curve;
+use super::layered::Line;
 use super::posts::{Post, between};
 use super::rim::Rim;
 use super::zigzag::Step;
@@ -26,6 +28,8 @@ pub struct Builder<'a> {
     head: &'a Head,
     strand: f64,
     material: Material,
+    ahead: Ahead,
+    bounds: (DVec2, DVec2),
     slab: u32,
     /// Strands in printing order.
     pub strands: Vec<Strand>,
@@ -39,14 +43,21 @@ impl<'a> Builder<'a> {
             head,
             strand,
             material: Material::new(low, high, cell),
+            ahead: Ahead::default(),
+            bounds: (low, high),
             slab: 0,
             strands: Vec::new(),
         }
     }
 
     /// Begins a slab: all that is printed lies below its strands and is out of the head's way.
-    pub fn begin_slab(&mut self, slab: u32) {
+    /// The head will come along `lines` later.
+    pub fn begin_slab(&mut self, slab: u32, lines: &[Line]) {
         self.material.clear();
+        self.ahead = match lines {
+            [] => Ahead::default(),
+            lines => Ahead::new(lines, self.bounds.0, self.bounds.1),
+        };
         self.slab = slab;
     }
 
@@ -62,12 +73,44 @@ impl<'a> Builder<'a> {
         self.material.is_hit(self.head, from, to, 0.5 * SQUASH * self.strand)
     }
 
+    /// Whether a strand cannot be printed: the head would be hit, or be barred from this slab's
+    /// layers later.
+    #[must_use]
+    pub fn is_barred(&self, from: DVec3, to: DVec3) -> bool {
+        self.is_hit(from, to)
+            || self.ahead.is_barred_by(self.head, from, to, 0.5 * SQUASH * self.strand)
+    }
+
     /// Prints one strand; a `floating` one ends in the air.
     pub fn stroke(&mut self, from: DVec3, to: DVec3, kind: Kind, floating: bool) {
         // A strand that goes on from the last one begins at the very same point.
         let from = self.at().filter(|at| at.distance(from) < SAME).unwrap_or(from);
         self.material.add(from, to);
-        self.strands.push(Strand { from, to, kind, slab: self.slab, floating });
+        self.push(from, to, kind, floating);
+    }
+
+    fn push(&mut self, from: DVec3, to: DVec3, kind: Kind, floating: bool) {
+        let slab = self.slab;
+        self.strands.push(Strand { from, to, kind, slab, floating, flow: 1.0, direct: false });
+    }
+
+    /// Prints the lines of this slab's layers. The head goes straight from one to the next unless
+    /// wire is in the way; they themselves bar nothing, for each lies below all that comes later.
+    pub fn layers(&mut self, lines: &[Line]) {
+        self.ahead = Ahead::default();
+        for line in lines {
+            let Some(&first) = line.points.first() else { continue };
+            let reached = |from: &Strand| from.kind == Kind::LayerWise;
+            let from = self.strands.last().filter(|s| reached(s)).map(|s| s.to);
+            let mut direct = from.is_some_and(|from| !self.is_hit(from, first));
+            for pair in line.points.windows(2).filter(|pair| pair[0] != pair[1]) {
+                self.push(pair[0], pair[1], Kind::LayerWise, false);
+                if let Some(strand) = self.strands.last_mut() {
+                    strand.flow = line.flow;
+                    strand.direct = std::mem::take(&mut direct);
+                }
+            }
+        }
     }
 
     /// Prints a polyline.
@@ -86,7 +129,7 @@ impl<'a> Builder<'a> {
         let mut standing: Vec<Post> = Vec::new();
         for step in steps {
             let Post { base, peak, .. } = step.post;
-            if self.is_hit(base, peak) {
+            if self.is_barred(base, peak) {
                 continue;
             }
             let bare = base.distance(peak) < CONTACT * self.strand;
@@ -96,7 +139,7 @@ impl<'a> Builder<'a> {
                 let contact = bare && reach < CONTACT * self.strand;
                 // Nothing holds the peak yet: the whole way down from the last base hangs.
                 let hangs = reach + from.distance(base);
-                if !contact && hangs <= longest && !self.is_hit(from, base) {
+                if !contact && hangs <= longest && !self.is_barred(from, base) {
                     self.stroke(from, base, down, false);
                 }
             }

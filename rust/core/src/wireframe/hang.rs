@@ -100,7 +100,7 @@ impl Build<'_> {
             post.base.distance(post.peak) <= limit && wanted(&shift(post))
         });
         let posts = self.out.zigzag(&steps, kind, kind, self.p.span_limit);
-        (!posts.is_empty()).then_some(Standing { contour: 0, start, posts })
+        (!posts.is_empty()).then_some(Standing { curve: 0, start, posts })
     }
 
     /// Adds ties where a contour's posts leave wide gaps, and asks for supports where gaps remain.
@@ -133,7 +133,7 @@ impl Build<'_> {
         };
         let neighbours = printed.all();
         let ties = self.spokes(curve, z, &neighbours, Kind::Cap, TIE, wanted);
-        let Standing { contour, start, mut posts } = standing;
+        let Standing { curve: number, start, mut posts } = standing;
         if let Some(ties) = ties {
             let shifted = |s: f64| curve.forward(start, curve.wrap(ties.start + s));
             posts.extend(ties.posts.iter().map(|p| Post { s: shifted(p.s), ..*p }));
@@ -141,7 +141,7 @@ impl Build<'_> {
         }
         let widest = WIDE * self.p.span_limit;
         self.wants.columns.extend(needs(curve, start, &posts, level, widest));
-        Standing { contour, start, posts }
+        Standing { curve: number, start, posts }
     }
 
     /// Bridges from rim to rim across the place of a contour.

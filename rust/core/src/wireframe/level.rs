@@ -7,6 +7,7 @@ use super::build::{Build, Ground};
 use super::curve::Curve;
 use super::hang::LEDGE;
 use super::hatch::hatch;
+use super::layered::closed_rim;
 use super::rim::{Rim, nearest_of};
 use super::strips::Strip;
 use super::{Kind, Reason};
@@ -24,8 +25,11 @@ impl Build<'_> {
         let z = self.sliced.levels[level].z;
         let mut ground = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
         let below = &self.sliced.lower[level];
-        let ends = |l: &&Strip| l.upper.is_empty() && l.closes(below, &l.lower);
-        for ledge in ledges.iter().filter(ends) {
+        let ends = |l: &&Strip| {
+            l.upper.is_empty() && l.closes(below, &l.lower) && !self.are_layers(level, &l.lower)
+        };
+        let ending: Vec<&Strip> = ledges.iter().filter(ends).collect();
+        for ledge in ending {
             self.close(level, &ledge.lower, &mut printed);
         }
         // What is held goes first, for what begins in the air hangs on it.
@@ -77,15 +81,47 @@ impl Build<'_> {
         if ledge.lower.is_empty() {
             return self.hang(curve, z, level, contour, printed);
         }
+        if self.are_layers(level, &ledge.lower) && self.is_within(curve, level, &ledge.lower) {
+            return Some(closed_rim(curve, z));
+        }
         let lifted = z + LIFT * self.p.strand;
         let standing = self.spokes(curve, lifted, &carriers, Kind::Cap, LEDGE, |_| true)?;
         let standing = self.tighten(curve, lifted, level, standing, printed);
         Some(self.follow(curve, &standing, lifted, Kind::Contour))
     }
 
+    /// Whether the contours that end the slab below a level are layers all around, and so is the
+    /// surface between them: the last layer has closed it.
+    fn are_layers(&self, level: usize, lower: &[u32]) -> bool {
+        let Some(layers) = level.checked_sub(1).and_then(|slab| self.layered.slab(slab)) else {
+            return false;
+        };
+        let strips = layers.strips.iter().map(|&s| &self.sliced.strips[level - 1][s as usize]);
+        let all: Vec<u32> = strips.flat_map(|strip| &strip.upper).copied().collect();
+        lower.iter().all(|i| all.contains(i))
+    }
+
+    /// Whether a contour lies within an odd number of those that end the slab below, or on them.
+    fn is_within(&self, curve: &Curve, level: usize, lower: &[u32]) -> bool {
+        let below = || lower.iter().map(|&i| &self.sliced.lower[level][i as usize]);
+        let rims: Vec<Rim> = below()
+            .filter_map(|c| Curve::new(&c.points, c.closed))
+            .map(|curve| closed_rim(&curve, 0.0))
+            .collect();
+        let rims: Vec<&Rim> = rims.iter().collect();
+        curve.points().iter().all(|&p| {
+            let around = below().filter(|c| c.closed && polygon::contains(&c.points, p)).count();
+            around % 2 == 1
+                || nearest_of(&rims, p).is_some_and(|f| f.distance < 0.5 * self.p.strand)
+        })
+    }
+
     /// Closes what ends at the foot of this slab.
     pub(super) fn roofs_of_slab(&mut self, slab: usize, ground: &mut Ground) {
-        for strip in &self.sliced.strips[slab] {
+        for (s, strip) in self.sliced.strips[slab].iter().enumerate() {
+            if self.layered.has(slab, s) {
+                continue;
+            }
             let contours = &self.sliced.upper[slab];
             if strip.roofed || strip.upper.is_empty() && strip.closes(contours, &strip.lower) {
                 self.close(slab, &strip.lower, ground);
@@ -112,7 +148,10 @@ impl Build<'_> {
             .map(|&i| &self.sliced.upper[level][i as usize])
             .map(|c| polygon::length(&c.points, c.closed))
             .sum();
-        if !self.p.caps || ledge.area < 2.0 * self.p.cap_spacing * length {
+        if !self.p.caps
+            || self.are_layers(level, &ledge.lower)
+            || ledge.area < 2.0 * self.p.cap_spacing * length
+        {
             return;
         }
         let below = ledge.lower.iter().map(|&i| &printed.rims[i as usize]);

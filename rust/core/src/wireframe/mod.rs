@@ -1,11 +1,14 @@
 //! Stage 4, the wireframe: strips, posts, strands.
 
+mod ahead;
 mod build;
 mod builder;
 mod columns;
 pub mod curve;
 mod hang;
 mod hatch;
+pub mod layered;
+mod layers;
 mod level;
 pub mod posts;
 pub mod rim;
@@ -18,6 +21,8 @@ pub mod zigzag;
 use glam::DVec3;
 
 pub use build::build;
+pub use layered::Layered;
+pub use layers::{Layer, cut_layers};
 pub use sliced::{Sliced, slice_model};
 pub use zigzag::Placement;
 
@@ -64,6 +69,10 @@ pub struct Strand {
     pub slab: u32,
     /// Whether it ends in the air, where it must hold by itself.
     pub floating: bool,
+    /// Filament that it takes, as a share of what a free strand of its length would.
+    pub flow: f64,
+    /// Whether the head may come to it straight, with nothing in the way.
+    pub direct: bool,
 }
 
 impl Strand {

@@ -5,11 +5,12 @@ use glam::{DVec2, DVec3};
 use super::build::{Build, Ground, Standing};
 use super::builder::Course;
 use super::curve::Curve;
+use super::layered::{self, LayeredSlab, Piece};
 use super::posts::Post;
-use super::rim::Rim;
+use super::rim::{Rim, nearest_of};
 use super::strips::Strip;
 use super::walls::Walls;
-use super::zigzag::{ZigzagInput, zigzag};
+use super::zigzag::{Step, ZigzagInput, zigzag};
 use super::{Kind, Pattern, PlacedPost, Reason};
 
 /// A contour printed in the air follows the model to this part of the strand's diameter.
@@ -20,8 +21,8 @@ const LOOSE: f64 = 2.6;
 
 /// A contour to be printed at the top of a slab.
 pub struct Job {
-    /// Its number within the slice.
-    pub contour: usize,
+    /// The number of its curve at the slab's top.
+    pub curve: usize,
     /// Contours of the slice below whose rims carry it.
     pub carriers: Vec<usize>,
     /// The strip between them.
@@ -35,43 +36,117 @@ const LEANING: f64 = 0.9;
 struct Top {
     slab: usize,
     z: f64,
+    /// The contours, and behind them the wire pieces of those that are layers in part.
     curves: Vec<Option<Curve>>,
+    /// The pieces of contours that are layers in part.
+    pieces: Vec<Piece>,
     walls: Walls,
     /// Distance within which what stands in this slab bars the head.
     reach: f64,
 }
 
+impl Top {
+    /// The contour that a curve is, or is a piece of.
+    fn contour(&self, curve: usize) -> usize {
+        self.piece(curve).map_or(curve, |piece| piece.contour)
+    }
+
+    /// The piece that a curve is.
+    fn piece(&self, curve: usize) -> Option<&Piece> {
+        self.pieces.iter().find(|piece| piece.curve == Some(curve))
+    }
+}
+
 impl Build<'_> {
     /// Prints one slab; gives what stands at its top.
     pub(super) fn slab(&mut self, slab: usize, ground: &mut Ground) -> Ground {
-        self.out.begin_slab(slab as u32);
-        let contours = &self.sliced.lower[slab + 1];
-        let z = self.sliced.levels[slab + 1].z;
-        let curves: Vec<Option<Curve>> =
-            contours.iter().map(|c| Curve::new(&c.points, c.closed)).collect();
-        let reach = self.head.clearance(z - self.sliced.levels[slab].z) * 1.1;
-        let walls = Walls::new(&curves, reach);
-        let top = Top { slab, z, curves, walls, reach };
-        let mut printed = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
-        let mut jobs = self.jobs(slab, &ground.rims);
+        let layers = self.layered.slab(slab);
+        self.out.begin_slab(slab as u32, layers.map_or(&[], |l| &l.lines));
+        let top = self.top(slab, layers);
+        let z = top.z;
+        let mut printed = Ground { rims: vec![None; top.curves.len()], lines: Vec::new() };
+        let mut jobs = self.jobs(&top, &ground.rims);
         let (mut waiting, mut loose, mut bare) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(job) = self.next_job(&mut jobs, &ground.rims) {
-            let Some(curve) = &top.curves[job.contour] else { continue };
+            let Some(curve) = &top.curves[job.curve] else { continue };
             let Some(standing) = self.posts_of(&top, &job, ground) else {
                 bare.push(job);
                 continue;
             };
             if self.is_loose(curve, &standing, z - self.sliced.levels[slab].z) {
                 loose.push(standing);
-            } else if self.in_the_way(curve, &jobs, &ground.rims, top.reach) {
+            } else if layers.is_some() || self.in_the_way(curve, &jobs, &ground.rims, top.reach) {
                 waiting.push(standing);
             } else {
-                printed.rims[job.contour] = Some(self.ring(&top, &standing));
+                printed.rims[job.curve] = Some(self.ring(&top, &standing));
             }
+        }
+        if let Some(layers) = layers {
+            self.layers(&top, layers, &mut printed);
         }
         self.rings(&top, waiting, &mut printed);
         self.hang_rest(&top, loose, &bare, &mut printed);
+        self.join_pieces(&top, &mut printed);
         printed
+    }
+
+    /// What all contours of a slab share; none of the curves is one that is all layers.
+    fn top(&self, slab: usize, layers: Option<&LayeredSlab>) -> Top {
+        let z = self.sliced.levels[slab + 1].z;
+        let contours = self.sliced.lower[slab + 1].iter();
+        let mut curves: Vec<Option<Curve>> =
+            contours.map(|c| Curve::new(&c.points, c.closed)).collect();
+        let mut pieces = Vec::new();
+        if let Some(layers) = layers {
+            for i in self.all_layers(slab, layers) {
+                curves[i] = None;
+            }
+            pieces = layered::take_out(&mut curves, &layers.stretches);
+        }
+        let reach = self.head.clearance(z - self.sliced.levels[slab].z) * 1.1;
+        let walls = Walls::new(&curves, reach);
+        Top { slab, z, curves, pieces, walls, reach }
+    }
+
+    /// The contours of a slab's top that are layers all around.
+    fn all_layers<'b>(
+        &'b self,
+        slab: usize,
+        layers: &'b LayeredSlab,
+    ) -> impl Iterator<Item = usize> + 'b {
+        let strips = layers.strips.iter().map(move |&s| &self.sliced.strips[slab][s as usize]);
+        strips.flat_map(|strip| strip.upper.iter().map(|&i| i as usize))
+    }
+
+    /// Prints the slab's layers: their tops stand in for the contours there.
+    fn layers(&mut self, top: &Top, layers: &LayeredSlab, printed: &mut Ground) {
+        self.out.layers(&layers.lines);
+        let contours = &self.sliced.lower[top.slab + 1];
+        let curve = |i: usize| Curve::new(&contours[i].points, contours[i].closed);
+        for i in self.all_layers(top.slab, layers) {
+            printed.rims[i] = curve(i).map(|curve| layered::closed_rim(&curve, top.z));
+        }
+        for piece in top.pieces.iter().filter(|piece| piece.curve.is_none()) {
+            let Some(curve) = curve(piece.contour) else { continue };
+            printed.lines.push(layered::rim_of(&curve, piece.from, piece.length, top.z));
+        }
+    }
+
+    /// Joins the rims of the pieces of each contour that is layers in part.
+    fn join_pieces(&self, top: &Top, printed: &mut Ground) {
+        let contours = &self.sliced.lower[top.slab + 1];
+        for pieces in top.pieces.chunk_by(|a, b| a.contour == b.contour) {
+            let Some(first) = pieces.first() else { continue };
+            let contour = &contours[first.contour];
+            let Some(curve) = Curve::new(&contour.points, contour.closed) else { continue };
+            let mut rim = |piece: &Piece| match piece.curve {
+                Some(i) => printed.rims[i].take().map(layered::reversed),
+                None => Some(layered::rim_of(&curve, piece.from, piece.length, top.z)),
+            };
+            let rims: Vec<Option<Rim>> = pieces.iter().map(&mut rim).collect();
+            printed.rims[first.contour] = Some(layered::joined(rims, contour.closed));
+        }
+        printed.rims.truncate(contours.len());
     }
 
     /// Posts of one contour: on its own walls, else on whatever stands below.
@@ -83,7 +158,7 @@ impl Build<'_> {
             self.print_bare_rims(job, ground);
         }
         let own: Vec<&Rim> = job.carriers.iter().filter_map(|&i| ground.rims[i].as_ref()).collect();
-        let support = self.sliced.lower[top.slab + 1][job.contour].support;
+        let support = self.is_support(top, job.curve);
         let kind = if support { Kind::Support } else { Kind::Post };
         let standing = self.stand_on(top, job, &own, kind);
         if standing.is_some() || !self.p.supports {
@@ -103,10 +178,11 @@ impl Build<'_> {
             curve,
             z: top.z,
             start: self.start(curve, carriers),
-            from: self.going_on(carriers),
+            // A piece begins where its region ends, wherever the head may be.
+            from: if top.piece(job.curve).is_some() { None } else { self.going_on(carriers) },
             rims: carriers,
             walls: &top.walls,
-            wall: job.contour,
+            wall: job.curve,
             least: self.head.clearance(top.z - lowest(carriers)),
             on_peaks: false,
             placement: self.p.placement,
@@ -116,43 +192,69 @@ impl Build<'_> {
     }
 
     fn stand_on(&mut self, top: &Top, job: &Job, carriers: &[&Rim], up: Kind) -> Option<Standing> {
-        let curve = top.curves[job.contour].as_ref().filter(|_| !carriers.is_empty())?;
+        let curve = top.curves[job.curve].as_ref().filter(|_| !carriers.is_empty())?;
         let input = self.input(top, job, curve, carriers);
         let limit = self.p.free_end_limit;
         let out = &self.out;
-        let (start, steps) = zigzag(&input, self.head, |post| {
-            post.base.distance(post.peak) <= limit && !out.is_hit(post.base, post.peak)
+        let (start, mut steps) = zigzag(&input, self.head, |post| {
+            post.base.distance(post.peak) <= limit && !out.is_barred(post.base, post.peak)
         });
+        let piece = top.piece(job.curve);
+        if let Some(piece) = piece {
+            self.slant(&mut steps, curve, piece, carriers);
+        }
         let down = if up == Kind::Post { Kind::Diagonal } else { up };
-        let posts = self.out.zigzag(&steps, up, down, self.p.span_limit);
+        let mut posts = self.out.zigzag(&steps, up, down, self.p.span_limit);
+        posts.retain(|post| post.base != post.peak);
         if up == Kind::Post {
             self.note(top, job, &posts);
         }
-        (!posts.is_empty()).then_some(Standing { contour: job.contour, start, posts })
+        if let Some(piece) = piece {
+            posts = held(posts, curve, piece, top.z);
+        }
+        (!posts.is_empty()).then_some(Standing { curve: job.curve, start, posts })
+    }
+
+    /// Begins a zigzag with a stroke that leans away from the region before it, and ends it with a
+    /// diagonal down to the region behind it, each from the region's foot.
+    fn slant(&self, steps: &mut Vec<Step>, curve: &Curve, piece: &Piece, carriers: &[&Rim]) {
+        let foot = |end: DVec2| nearest_of(carriers, end).map(|f| f.position);
+        if let Some(first) = steps.first_mut().filter(|_| piece.meets[0])
+            && let Some(base) = foot(curve.position(0.0))
+            && base.distance(first.post.peak) <= self.p.free_end_limit
+            && !self.out.is_barred(base, first.post.peak)
+        {
+            first.post.base = base;
+        }
+        let end = foot(curve.position(curve.length())).filter(|_| piece.meets[1]);
+        if let Some(base) = end.filter(|_| !steps.is_empty()) {
+            let post = Post { base, peak: base, s: curve.length() };
+            steps.push(Step { post, linked: true });
+        }
     }
 
     fn note(&mut self, top: &Top, job: &Job, posts: &[Post]) {
-        let (slab, contour) = (top.slab as u32, job.contour as u32);
+        let (slab, contour) = (top.slab as u32, top.contour(job.curve) as u32);
         self.posts.extend(posts.iter().map(|&post| PlacedPost { post, slab, contour }));
     }
 
     /// The pattern without contours: every peak below carries a base. None where that is not to
     /// be had, for a peak left alone would hang in the air.
     fn on_peaks(&mut self, top: &Top, job: &Job, ground: &Ground) -> Option<Standing> {
-        let curve = top.curves[job.contour].as_ref()?;
+        let curve = top.curves[job.curve].as_ref()?;
         let carriers: Vec<&Rim> =
             job.carriers.iter().filter_map(|&i| ground.rims[i].as_ref()).collect();
         let [carrier] = carriers[..] else { return None };
         let mut input = self.input(top, job, curve, &carriers);
         input.on_peaks = true;
         let out = &self.out;
-        let (start, steps) = zigzag(&input, self.head, |post| !out.is_hit(post.base, post.peak));
+        let (start, steps) = zigzag(&input, self.head, |post| !out.is_barred(post.base, post.peak));
         if steps.len() != carrier.points.len() || steps.iter().skip(1).any(|s| !s.linked) {
             return None;
         }
         let posts = self.out.zigzag(&steps, Kind::Post, Kind::Diagonal, self.p.span_limit);
         self.note(top, job, &posts);
-        Some(Standing { contour: job.contour, start, posts })
+        Some(Standing { curve: job.curve, start, posts })
     }
 
     /// Prints the contours through peaks that were to do without one.
@@ -170,15 +272,19 @@ impl Build<'_> {
 
     /// Prints the contour through its posts, or leaves it out where the pattern does without.
     fn ring(&mut self, top: &Top, standing: &Standing) -> Rim {
-        let Some(curve) = &top.curves[standing.contour] else { return Rim::default() };
+        let Some(curve) = &top.curves[standing.curve] else { return Rim::default() };
         let peaks = || standing.posts.iter().map(|p| p.peak).collect();
-        if self.p.pattern == Pattern::Peaks && self.needs_no_ring(top.slab + 1, standing) {
+        if self.p.pattern == Pattern::Peaks && self.needs_no_ring(top, standing) {
             let closed = curve.is_closed();
             return Rim { points: peaks(), closed, ..Rim::default() };
         }
-        let support = self.sliced.lower[top.slab + 1][standing.contour].support;
+        let support = self.is_support(top, standing.curve);
         let kind = if support { Kind::Support } else { Kind::Contour };
         self.follow(curve, standing, top.z, kind)
+    }
+
+    fn is_support(&self, top: &Top, curve: usize) -> bool {
+        self.sliced.lower[top.slab + 1][top.contour(curve)].support
     }
 
     /// Prints a contour in the air, without the stretches that would hang too far.
@@ -194,10 +300,14 @@ impl Build<'_> {
     }
 
     /// Whether a contour only leads from one plain slab to the next.
-    fn needs_no_ring(&self, level: usize, standing: &Standing) -> bool {
+    fn needs_no_ring(&self, top: &Top, standing: &Standing) -> bool {
+        let level = top.slab + 1;
         let Some(above) = self.sliced.strips.get(level) else { return false };
-        let contour = standing.contour as u32;
-        standing.posts.len() > 2
+        let contour = standing.curve as u32;
+        // Layers stand on contours, and a piece of one begins and ends on layers.
+        let plain = self.layered.slab(level).is_none() && top.piece(standing.curve).is_none();
+        plain
+            && standing.posts.len() > 2
             && self.sliced.ledges[level].is_none()
             && above.iter().any(|s| s.lower == [contour] && s.upper.len() == 1)
     }
@@ -210,33 +320,32 @@ impl Build<'_> {
             let nearest =
                 (0..waiting.len()).min_by(|&a, &b| end(&waiting[a]).total_cmp(&end(&waiting[b])));
             let Some(standing) = nearest.map(|i| waiting.remove(i)) else { return };
-            printed.rims[standing.contour] = Some(self.ring(top, &standing));
+            printed.rims[standing.curve] = Some(self.ring(top, &standing));
         }
     }
 
     /// Contours with too few posts, or none, hang on their neighbours.
     fn hang_rest(&mut self, top: &Top, loose: Vec<Standing>, bare: &[Job], printed: &mut Ground) {
         for standing in loose {
-            let Some(curve) = &top.curves[standing.contour] else { continue };
-            let contour = &self.sliced.lower[top.slab + 1][standing.contour];
+            let Some(curve) = &top.curves[standing.curve] else { continue };
             // A column that stands on one leg is no less a support.
-            let standing = if contour.support {
+            let standing = if self.is_support(top, standing.curve) {
                 standing
             } else {
                 self.tighten(curve, top.z, top.slab + 1, standing, printed)
             };
-            printed.rims[standing.contour] = Some(self.ring(top, &standing));
+            printed.rims[standing.curve] = Some(self.ring(top, &standing));
         }
         for job in bare {
-            let Some(curve) = &top.curves[job.contour] else { continue };
-            let contour = &self.sliced.lower[top.slab + 1][job.contour];
+            let Some(curve) = &top.curves[job.curve] else { continue };
+            let contour = &self.sliced.lower[top.slab + 1][top.contour(job.curve)];
             let rim = self.hang(curve, top.z, top.slab + 1, contour, printed);
             if rim.is_none() && !contour.support {
                 let born = job.carriers.is_empty();
                 let reason = if born { Reason::MidAir } else { Reason::NoFoothold };
                 self.give_up(top.slab, job.strip, reason);
             }
-            printed.rims[job.contour] = rim;
+            printed.rims[job.curve] = rim;
             self.floor(top, job, printed);
         }
     }
@@ -260,19 +369,22 @@ impl Build<'_> {
     }
 
     /// The contours that this slab leads up to, with what carries them.
-    fn jobs(&mut self, slab: usize, rims: &[Option<Rim>]) -> Vec<Job> {
-        let mut jobs = Vec::new();
+    fn jobs(&mut self, top: &Top, rims: &[Option<Rim>]) -> Vec<Job> {
+        let (slab, mut jobs) = (top.slab, Vec::new());
         for (s, strip) in self.sliced.strips[slab].iter().enumerate() {
+            if self.layered.has(slab, s) {
+                continue;
+            }
             let lower = strip.lower.iter().map(|&i| i as usize);
             let carriers: Vec<usize> = lower.filter(|&i| rims[i].is_some()).collect();
             if carriers.is_empty() && strip.upper.is_empty() && !strip.lower.is_empty() {
                 self.give_up(slab, s, Reason::MidAir);
             }
-            jobs.extend(strip.upper.iter().map(|&contour| Job {
-                contour: contour as usize,
-                carriers: carriers.clone(),
-                strip: s,
-            }));
+            let own = |piece: &&Piece| strip.upper.contains(&(piece.contour as u32));
+            let pieces = top.pieces.iter().filter(own).filter_map(|piece| piece.curve);
+            let curves = strip.upper.iter().map(|&i| i as usize).chain(pieces);
+            let job = |curve| Job { curve, carriers: carriers.clone(), strip: s };
+            jobs.extend(curves.filter(|&i| top.curves[i].is_some()).map(job));
         }
         jobs
     }
@@ -301,6 +413,17 @@ impl Build<'_> {
             (a - high).max(low - b).max_element() < reach
         })
     }
+}
+
+/// The posts of a piece between regions, whose layers hold its contour like posts of no height.
+fn held(posts: Vec<Post>, curve: &Curve, piece: &Piece, z: f64) -> Vec<Post> {
+    let end = |s: f64| {
+        let place = curve.position(s).extend(z);
+        Post { base: place, peak: place, s }
+    };
+    let first = piece.meets[0].then(|| end(0.0));
+    let last = piece.meets[1].then(|| end(curve.length()));
+    first.into_iter().chain(posts).chain(last).collect()
 }
 
 /// Arc length at which each gap between posts begins, and its length, mm.

@@ -27,7 +27,7 @@ pub struct Sliced {
 }
 
 /// Loops shorter than this part of a strand's diameter are specks.
-const SPECK: f64 = 0.5;
+pub(super) const SPECK: f64 = 0.5;
 
 /// Chooses the levels of a mesh and cuts it there.
 ///

@@ -1,0 +1,1 @@
+"""Wire prints whose marked regions are stacked layers (paper, "Additional detail")."""

@@ -1,0 +1,85 @@
+"""From a region to what the core needs to print it: runs, and the lines of their layers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from wireprint.hybrid.cut import Cut, Samples
+from wireprint.hybrid.lines import route
+from wireprint.hybrid.runs import Runs, Section, runs_of
+from wireprint.layerwise.recipe import Recipe
+from wireprint.stages import line_section_mm2
+
+if TYPE_CHECKING:
+    from wireprint._core import Layered, Mesh, Wireframe
+    from wireprint.regions import Region
+    from wireprint.settings import Settings
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What of a model is printed as layers, and how."""
+
+    cut: Cut
+    samples: Samples
+    runs: Runs
+    settings: Settings
+
+    @classmethod
+    def of(cls, mesh: Mesh, wireframe: Wireframe, region: Region, settings: Settings) -> Plan:
+        """Find what a region covers.
+
+        Parameters
+        ----------
+        mesh
+            The model as it stands on the bed.
+        wireframe
+            Its plain wire print, whose slabs are divided.
+        region
+            What is marked, in the mesh's coordinates.
+        settings
+            Printer, and how regions are printed.
+        """
+        regions, strand_mm = settings.regions, settings.printer.head.nozzle_mm
+        cut = Cut.of(wireframe, mesh, regions.layer_height_mm, strand_mm)
+        samples = Samples.of(cut, mesh, strand_mm)
+        covered = region.covers(samples.middle, samples.normal)
+        born = {
+            (slab, strip)
+            for slab, strips in enumerate(wireframe.strips)
+            for strip, (lower, _, _) in enumerate(strips)
+            if not lower
+        }
+        least_mm = regions.shortest_run * strand_mm
+        return cls(cut, samples, runs_of(cut, samples, covered, born, least_mm), settings)
+
+    @property
+    def sections(self) -> tuple[Section, ...]:
+        """Runs that are printed."""
+        return self.runs.runs
+
+    def layered(self) -> Layered | None:
+        """Return what the core needs to know; None where nothing is layers."""
+        regions, printer = self.settings.regions, self.settings.printer
+        recipe = Recipe.of(regions, printer)
+        lines = route(self.cut, self.samples, self.runs, recipe, regions.inset * recipe.width_mm)
+        if lines is None:
+            return None
+        layer = lines.layer[lines.offsets[:-1]]
+        strand_mm2 = math.pi / 4 * printer.head.nozzle_mm**2
+        section_mm2 = line_section_mm2(recipe.width_mm, self.cut.thickness[layer])
+        whole = {(run.slab, run.strip) for run in self.sections if run.whole}
+        partial = [run for run in self.sections if not run.whole]
+        return {
+            "strips": np.array(sorted(whole), np.int64).reshape(-1, 2),
+            "stretches": np.array([(r.slab, r.contour) for r in partial], np.int64).reshape(-1, 2),
+            "stretch_spans": np.array([(r.from_mm, r.length_mm) for r in partial]).reshape(-1, 2),
+            "points": np.ascontiguousarray(lines.points),
+            "offsets": lines.offsets,
+            "line_slabs": self.cut.slab[layer],
+            "line_flows": section_mm2 / strand_mm2,
+        }

@@ -1,0 +1,256 @@
+"""From a region to runs of zigzag sections: which stretch of which contour is layers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+    from collections.abc import Set as AbstractSet
+
+    import numpy.typing as npt
+
+    from wireprint.hybrid.cut import Cut, Samples
+
+    Floats = npt.NDArray[np.float64]
+    Ints = npt.NDArray[np.int64]
+    Bools = npt.NDArray[np.bool_]
+
+#: Turning by half a circle counts as this distance, mm, where points of one layer are matched with
+#: those of another: the two sides of a thin wall must not be taken for each other.
+_TURN_MM = 10.0
+#: A section is layers where this share of its area is covered.
+_HALF = 0.5
+#: Distances computed at once.
+_CHUNK = 1 << 22
+
+
+@dataclass(frozen=True)
+class Section:
+    """A run of zigzag sections: a stretch of the contour that ends a slab."""
+
+    slab: int
+    #: Strip of the slab.
+    strip: int
+    #: Contour in the slice at the slab's top, as in ``Wireframe.contours_below``; −1: a strip that
+    #: has none there.
+    contour: int
+    #: From where to where along the contour, mm; it may run on past its first point.
+    from_mm: float
+    to_mm: float
+    #: Whether its strip is layers through and through.
+    whole: bool
+    #: Area of its surface, mm².
+    area_mm2: float
+    #: A point in its middle, mm.
+    place_mm: tuple[float, float, float]
+
+    @property
+    def length_mm(self) -> float:
+        """Length along the contour, mm."""
+        return self.to_mm - self.from_mm
+
+
+@dataclass(frozen=True)
+class Runs:
+    """What a region comes to on the layers of a model."""
+
+    runs: tuple[Section, ...]
+    #: Runs that are not to be had, and why.
+    dropped: tuple[tuple[Section, str], ...]
+    #: Number of the run that each sample belongs to, −1 for none, shape (S,).
+    of_sample: Ints
+
+    def without(self, numbers: Mapping[int, str]) -> Runs:
+        """Return the runs without those of some numbers, which are dropped for a reason each."""
+        kept = [number for number in range(len(self.runs)) if number not in numbers]
+        renumbered = np.full(len(self.runs) + 1, -1)
+        renumbered[kept] = np.arange(len(kept))
+        dropped = [(self.runs[number], numbers[number]) for number in sorted(numbers)]
+        return Runs(
+            tuple(self.runs[number] for number in kept),
+            (*self.dropped, *dropped),
+            renumbered[self.of_sample],
+        )
+
+
+def runs_of(
+    cut: Cut, samples: Samples, covered: Bools, born: AbstractSet[tuple[int, int]], least_mm: float
+) -> Runs:
+    """Turn what is covered of the surface into runs.
+
+    Parameters
+    ----------
+    cut, samples
+        The model's layers.
+    covered
+        Which samples the region covers, shape (S,).
+    born
+        Slab and strip of what begins in the air.
+    least_mm
+        Runs shorter than this are dropped, gaps shorter than this are closed.
+
+    Notes
+    -----
+    A section is a piece of the contour at a slab's top, no longer than half a strand, with all
+    of the slab's surface that it is nearest to. It is layers where half of its area, or more, is
+    covered.
+    """
+    finder = _Finder(cut, samples, covered, least_mm)
+    for slab, strip, which in finder.strips():
+        if (slab, strip) in born:
+            finder.drop_born(slab, strip, which)
+        else:
+            finder.add(slab, strip, which)
+    return Runs(tuple(finder.runs), tuple(finder.dropped), finder.of_sample)
+
+
+class _Finder:
+    """Goes through the strips that a region touches."""
+
+    def __init__(self, cut: Cut, samples: Samples, covered: Bools, least_mm: float) -> None:
+        self.cut, self.samples, self.covered, self.least_mm = cut, samples, covered, least_mm
+        self.layer = cut.layer[samples.contour]
+        self.is_top = cut.is_last()[self.layer]
+        self.runs: list[Section] = []
+        self.dropped: list[tuple[Section, str]] = []
+        self.of_sample: Ints = np.full(len(covered), -1)
+
+    def strips(self) -> Iterator[tuple[int, int, Ints]]:
+        """Give the slab, the strip and the samples of each strip that is covered somewhere."""
+        slab, strip = self.cut.slab[self.layer], self.cut.strip[self.samples.contour]
+        count = int(strip.max(initial=0)) + 1
+        key = slab * count + strip
+        order = np.argsort(key, kind="stable")
+        touched = np.unique(key[self.covered & (strip >= 0)])
+        begins, ends = (np.searchsorted(key[order], touched, side) for side in ("left", "right"))
+        for value, begin, end in zip(touched.tolist(), begins, ends, strict=True):
+            yield *divmod(value, count), order[begin:end]
+
+    def drop_born(self, slab: int, strip: int, which: Ints) -> None:
+        """Note a strip that begins in the air: its layers would."""
+        if self._share(which) >= _HALF:
+            self.dropped.append((self._whole(slab, strip, -1, which), "mid_air"))
+
+    def add(self, slab: int, strip: int, which: Ints) -> None:
+        """Add the runs of a strip."""
+        sections = which[self.is_top[which]]
+        if not len(sections):
+            if self._share(which) >= _HALF:
+                self._add_whole(slab, strip, [], which)
+            return
+        nearest = self._nearest(which, sections)
+        area = np.bincount(nearest, self.samples.area[which], len(sections))
+        covered = np.bincount(
+            nearest, self.samples.area[which] * self.covered[which], len(sections)
+        )
+        painted = covered >= _HALF * area
+        contour = self.samples.contour[sections]
+        contours = np.unique(contour).tolist()
+        stretches: list[tuple[int, Ints]] = []
+        for number in contours:
+            own = np.flatnonzero(contour == number)
+            self._close_gaps(painted, sections, own, number)
+            stretches += [(number, run) for run in self._stretches(painted, own, number)]
+        if painted.all():
+            self._add_whole(slab, strip, contours, which)
+            return
+        run_of_section = np.full(len(sections), -1)
+        for number, run in stretches:
+            inside = np.isin(nearest, run)
+            section = self._partial(slab, strip, number, sections[run], which[inside])
+            if section.length_mm < self.least_mm:
+                self.dropped.append((section, "short_run"))
+                continue
+            run_of_section[run] = len(self.runs)
+            self.runs.append(section)
+        self.of_sample[which] = run_of_section[nearest]
+
+    def _share(self, which: Ints) -> float:
+        area = self.samples.area[which]
+        return float(np.sum(area * self.covered[which]) / max(np.sum(area), 1e-12))
+
+    def _nearest(self, which: Ints, sections: Ints) -> Ints:
+        """Return, for each sample, the number of the section that it belongs to."""
+        if self.covered[which].all() or not self.covered[which].any():
+            return np.zeros(len(which), np.int64)
+        features = np.column_stack(
+            [self.samples.middle[:, :2], _TURN_MM / 2 * self.samples.normal[:, :2]]
+        )
+        own, ends = features[which], features[sections]
+        centre = ends.mean(axis=0)
+        own, ends = own - centre, ends - centre
+        squares = np.sum(ends**2, axis=1)
+        nearest = np.zeros(len(which), np.int64)
+        chunk = max(_CHUNK // len(ends), 1)
+        for begin in range(0, len(own), chunk):
+            part = own[begin : begin + chunk]
+            nearest[begin : begin + chunk] = np.argmin(squares - 2 * part @ ends.T, axis=1)
+        # A section's own sample is its own, whatever else is as near.
+        nearest[np.searchsorted(which, sections)] = np.arange(len(sections))
+        return nearest
+
+    def _close_gaps(self, painted: Bools, sections: Ints, own: Ints, contour: int) -> None:
+        for gap in self._stretches(~painted, own, contour):
+            length = np.sum(self.samples.end[sections[gap]] - self.samples.begin[sections[gap]])
+            if len(gap) < len(own) and length < self.least_mm:
+                painted[gap] = True
+
+    def _stretches(self, mask: Bools, own: Ints, contour: int) -> list[Ints]:
+        """Return the runs of true values among a contour's sections, around its first point too."""
+        inside = mask[own]
+        cuts = np.flatnonzero(inside[1:] != inside[:-1]) + 1
+        parts = [part for part in np.split(own, cuts) if mask[part[0]]]
+        around = inside[0] and inside[-1] and len(parts) > 1 and self.cut.closed[contour]
+        if around:
+            parts = [*parts[1:-1], np.concatenate([parts[-1], parts[0]])]
+        return parts
+
+    def _add_whole(self, slab: int, strip: int, contours: list[int], which: Ints) -> None:
+        self.of_sample[which] = len(self.runs)
+        first = contours[0] if len(contours) == 1 else -1
+        self.runs.append(self._whole(slab, strip, first, which))
+
+    def _whole(self, slab: int, strip: int, contour: int, which: Ints) -> Section:
+        area, samples = self.samples.area[which], self.samples
+        own = samples.contour == contour
+        length = float(np.sum(samples.end[own] - samples.begin[own]))
+        heaviest = which[len(which) // 2]
+        return Section(
+            slab,
+            strip,
+            self._in_slice(contour),
+            0.0,
+            length,
+            True,
+            float(np.sum(area)),
+            _point(samples.middle[heaviest]),
+        )
+
+    def _partial(self, slab: int, strip: int, contour: int, run: Ints, which: Ints) -> Section:
+        samples = self.samples
+        begin = float(samples.begin[run[0]])
+        length = float(np.sum(samples.end[run] - samples.begin[run]))
+        return Section(
+            slab,
+            strip,
+            self._in_slice(contour),
+            begin,
+            begin + length,
+            False,
+            float(np.sum(samples.area[which])),
+            _point(samples.middle[run[len(run) // 2]]),
+        )
+
+    def _in_slice(self, contour: int) -> int:
+        if contour < 0:
+            return -1
+        return int(contour - self.cut.slice_offsets[self.cut.layer[contour]])
+
+
+def _point(row: Floats) -> tuple[float, float, float]:
+    x, y, z = row.tolist()
+    return x, y, z

@@ -1,0 +1,130 @@
+//! Where the head will come by later in a slab: no strand may be laid that would bar its way.
+
+use glam::{DVec2, DVec3};
+
+use super::layered::Line;
+use crate::head::Head;
+
+/// Moves of the head that are still to come, in a grid over the plane.
+#[derive(Debug, Default)]
+pub struct Ahead {
+    moves: Vec<[DVec3; 2]>,
+    origin: DVec2,
+    columns: usize,
+    rows: usize,
+    /// Moves sorted by the cell of their middle, and where each cell's begin.
+    sorted: Vec<u32>,
+    begins: Vec<u32>,
+    /// Half the length of the longest move, mm.
+    half: f64,
+    lowest: f64,
+}
+
+/// Cells are so many millimetres wide …
+const CELL: f64 = 3.0;
+/// … and moves are divided into parts no longer than this, mm, so that few cells are searched.
+const LONGEST: f64 = 6.0;
+
+impl Ahead {
+    /// The moves along some lines, within the rectangle from `low` to `high`.
+    #[must_use]
+    pub fn new(lines: &[Line], low: DVec2, high: DVec2) -> Self {
+        let moves: Vec<[DVec3; 2]> = lines.iter().flat_map(parts).collect();
+        let half = moves.iter().map(|m| m[0].distance(m[1])).fold(0.0, f64::max) / 2.0;
+        let lowest = moves.iter().map(|m| m[0].z.min(m[1].z)).fold(f64::INFINITY, f64::min);
+        let size = ((high - low) / CELL).max(DVec2::ZERO);
+        let (columns, rows) = (size.x as usize + 1, size.y as usize + 1);
+        let mut ahead = Self {
+            origin: low,
+            columns,
+            rows,
+            half,
+            lowest,
+            begins: vec![0; columns * rows + 1],
+            sorted: vec![0; moves.len()],
+            moves,
+        };
+        ahead.sort();
+        ahead
+    }
+
+    /// Brings the moves into the order of their cells (counting sort).
+    fn sort(&mut self) {
+        let cells: Vec<usize> = self.moves.iter().map(|m| self.cell_of(m)).collect();
+        for &cell in &cells {
+            self.begins[cell + 1] += 1;
+        }
+        for i in 1..self.begins.len() {
+            self.begins[i] += self.begins[i - 1];
+        }
+        let mut next = self.begins.clone();
+        for (number, cell) in (0..).zip(cells) {
+            self.sorted[next[cell] as usize] = number;
+            next[cell] += 1;
+        }
+    }
+
+    fn cell_of(&self, [a, b]: &[DVec3; 2]) -> usize {
+        let (column, row) = self.place((a.truncate() + b.truncate()) / 2.0);
+        row * self.columns + column
+    }
+
+    fn place(&self, p: DVec2) -> (usize, usize) {
+        let at = ((p - self.origin) / CELL).max(DVec2::ZERO);
+        ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1))
+    }
+
+    /// Whether a strand would be driven deeper than `tolerance` mm into the head later on.
+    #[must_use]
+    pub fn is_barred_by(&self, head: &Head, from: DVec3, to: DVec3, tolerance: f64) -> bool {
+        let rise = from.z.max(to.z) - self.lowest - tolerance;
+        if self.moves.is_empty() || rise <= 0.0 {
+            return false;
+        }
+        let reach = head.reach_at(rise) + self.half;
+        let (a, b) = (from.truncate(), to.truncate());
+        let (low, high) = (self.place(a.min(b) - reach), self.place(a.max(b) + reach));
+        (low.1..=high.1).any(|row| {
+            let begin = self.begins[row * self.columns + low.0] as usize;
+            let end = self.begins[row * self.columns + high.0 + 1] as usize;
+            self.sorted[begin..end].iter().any(|&number| {
+                let step = self.moves[number as usize];
+                head.deeper_than(tolerance, step, [from, to]).is_some()
+            })
+        })
+    }
+}
+
+/// The moves along a line, long ones divided.
+fn parts(line: &Line) -> impl Iterator<Item = [DVec3; 2]> + '_ {
+    line.points.windows(2).flat_map(|pair| {
+        let (a, b) = (pair[0], pair[1]);
+        let count = (a.distance(b) / LONGEST).ceil().max(1.0) as usize;
+        let at = move |i: usize| a.lerp(b, i as f64 / count as f64);
+        (0..count).map(move |i| [at(i), at(i + 1)])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_post_keeps_clear_of_a_line_that_is_still_to_come() {
+        let head = Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap();
+        let points = vec![DVec3::new(0.0, 0.0, 0.2), DVec3::new(40.0, 0.0, 0.2)];
+        let ahead = Ahead::new(&[Line { points, flow: 1.0 }], DVec2::ZERO, DVec2::splat(40.0));
+        let reach = head.clearance(3.8);
+        let post = |y: f64| (DVec3::new(17.0, y, 0.0), DVec3::new(17.0, y, 4.0));
+        let (from, to) = post(reach - 0.1);
+        assert!(ahead.is_barred_by(&head, from, to, 0.0));
+        let (from, to) = post(reach + 0.1);
+        assert!(!ahead.is_barred_by(&head, from, to, 0.0));
+    }
+
+    #[test]
+    fn nothing_to_come_bars_nothing() {
+        let head = Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap();
+        assert!(!Ahead::default().is_barred_by(&head, DVec3::ZERO, DVec3::Z, 0.0));
+    }
+}
