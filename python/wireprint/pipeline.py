@@ -23,7 +23,9 @@ if TYPE_CHECKING:
     from wireprint._core import Estimate, Mesh, Toolpath, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.gcode.document import Thumbnail
+    from wireprint.hybrid.prove import Proved
     from wireprint.orientation import Orientation
+    from wireprint.regions import Region
     from wireprint.settings import Settings
 
 
@@ -53,6 +55,8 @@ class WirePrint:
     mesh: Mesh
     wireframe: Wireframe
     toolpath: Toolpath
+    #: What of it is layers; None where nothing was marked.
+    regions: Proved | None
     #: The whole file.
     gcode: bytes
     estimate: Estimate
@@ -83,9 +87,14 @@ class WirePrint:
             **self._verdict(),
             "repaired": report.repairs(self.mesh),
             "unprinted": report.unprinted(self.wireframe),
+            **self._regions(),
             "warnings": report.warnings(self.mesh),
             "timings_s": self.timings_s,
         }
+
+    def _regions(self) -> dict[str, Any]:
+        """Return what was marked and what came of it."""
+        return {} if self.regions is None else {"regions": report.regions(self.regions)}
 
     def _verdict(self) -> dict[str, Any]:
         """Return whether the file keeps the rules, and how faithful it is."""
@@ -104,6 +113,7 @@ class WirePrint:
 def make(
     mesh: Mesh,
     settings: Settings,
+    region: Region | None = None,
     *,
     date: datetime | None = None,
     clock: Clock | None = None,
@@ -119,6 +129,9 @@ def make(
         The model, placed.
     settings
         Printer, material and way of wiring.
+    region
+        What is printed as layers, in the coordinates of `mesh`; None, or an empty one: nothing.
+        Parts of it that cannot be printed so stay wire; `WirePrint.regions` names them.
     date
         Written into the file; default: as `document.dated` without a file.
     clock
@@ -136,7 +149,7 @@ def make(
         No slice has a contour.
     """
     clock = clock or Clock()
-    orientation = None
+    placed, orientation = mesh, None
     if orient:
         from wireprint.orientation import orient as best
 
@@ -146,8 +159,18 @@ def make(
     mesh = on_bed(mesh, settings)
     with clock.stage("wireframe"):
         strands = wireframe(mesh, settings)
+    regions = None
+    if region:
+        from wireprint.hybrid.motion import motion
+        from wireprint.hybrid.prove import proved
+
+        with clock.stage("regions"):
+            rotate_deg = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
+            moved = region.transformed(motion(placed, mesh, rotate_deg))
+            regions = proved(mesh, strands, moved, settings)
+            strands = regions.wireframe
     with clock.stage("toolpath"):
-        path = toolpath(strands, settings)
+        path = regions.toolpath if regions is not None else toolpath(strands, settings)
     with clock.stage("gcode"):
         remarks = () if orientation is None else (str(orientation),)
         gcode, estimate = _written(path, settings, date, remarks)
@@ -160,6 +183,7 @@ def make(
         mesh,
         strands,
         path,
+        regions,
         gcode,
         estimate,
         certificate,

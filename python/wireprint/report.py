@@ -8,6 +8,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from wireprint._core import Mesh, Wireframe
+    from wireprint.hybrid.prove import Proved
+    from wireprint.hybrid.runs import Section
 
 #: Counts of a mesh's report that are repairs, and how they read.
 _REPAIRS: Final = {
@@ -38,12 +40,50 @@ class Unprinted(TypedDict):
     help: str
 
 
+class Run(TypedDict):
+    """A run of zigzag sections that is marked."""
+
+    slab: int
+    contour: int
+    from_mm: float
+    to_mm: float
+    area_mm2: float
+    place_mm: tuple[float, float, float]
+
+
+class DroppedRun(Run):
+    """A run that is marked, but printed as wire."""
+
+    reason: str
+    help: str
+
+
+class Regions(TypedDict):
+    """What of the marked surface is printed as layers."""
+
+    layer_wise_mm: float
+    area_mm2: float
+    runs: list[Run]
+    dropped: list[DroppedRun]
+    rounds: int
+
+
 #: Why something is not printed → what would help.
 _HELP: Final = {
     "mid_air": "turn the model, or print it with --supports wire",
     "no_foothold": "print it larger, with a smaller nozzle, or with lower slabs",
     "wide_span": "turn the model, or raise wire.span_limit_mm if your material holds it",
     "wide_roof": "turn the model so that the face stands upright",
+}
+
+#: Why a marked run stays wire → what would help.
+_REGION_HELP: Final = {
+    "short_run": "mark more around it, or lower regions.shortest_run",
+    "mid_air": "turn the model so that the part stands on something, or mark what is below it too",
+    "in_the_way": "mark the wire near to it too, or print with lower slabs",
+    "overhang": "turn the model, or mark less of what hangs over",
+    "wide_bridge": "raise regions.infill_density, or mark what is below it too",
+    "unproved": "mark less, or something simpler",
 }
 
 
@@ -70,6 +110,31 @@ def unprinted(wireframe: Wireframe) -> list[Unprinted]:
         }
         for reason, low, high, area, place in wireframe.unprinted
     ]
+
+
+def regions(proved: Proved) -> Regions:
+    """Tell what of the marked surface is printed as layers, and what is not and why."""
+    return {
+        "layer_wise_mm": proved.layer_wise_mm,
+        "area_mm2": sum(run.area_mm2 for run in proved.plan.sections),
+        "runs": [_run(run) for run in proved.plan.sections],
+        "dropped": [
+            {**_run(run), "reason": reason, "help": _REGION_HELP[reason]}
+            for run, reason in proved.plan.runs.dropped
+        ],
+        "rounds": proved.rounds,
+    }
+
+
+def _run(run: Section) -> Run:
+    return {
+        "slab": run.slab,
+        "contour": run.contour,
+        "from_mm": run.from_mm,
+        "to_mm": run.to_mm,
+        "area_mm2": run.area_mm2,
+        "place_mm": run.place_mm,
+    }
 
 
 def _sentences(counts: Mapping[str, int], wordings: Mapping[str, str]) -> list[str]:

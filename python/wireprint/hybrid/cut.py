@@ -67,6 +67,17 @@ class Cut:
         """Layer of each contour, shape (M,)."""
         return np.repeat(np.arange(len(self.z)), np.diff(self.slice_offsets))
 
+    def steps(self) -> tuple[Ints, Floats]:
+        """Return the point after each one along its contour, and the way there, mm.
+
+        An open contour goes nowhere from its last point.
+        """
+        following = np.arange(1, len(self.points) + 1)
+        following[self.offsets[1:] - 1] = self.offsets[:-1]
+        lengths: Floats = np.hypot(*(self.points[following] - self.points).T)
+        lengths[(self.offsets[1:] - 1)[~self.closed]] = 0.0
+        return following, lengths
+
     def is_last(self) -> Bools:
         """Tell which layers lie at the top of their slabs, shape (K,)."""
         return np.append(self.slab[1:] != self.slab[:-1], True)[: len(self.slab)]
@@ -92,11 +103,8 @@ class Samples:
         """Divide all contours into pieces of at most half a strand."""
         sizes = np.diff(cut.offsets)
         contour = np.repeat(np.arange(len(sizes)), sizes)
-        following = np.arange(1, len(cut.points) + 1)
-        following[cut.offsets[1:] - 1] = cut.offsets[:-1]
+        following, lengths = cut.steps()
         steps = cut.points[following] - cut.points
-        lengths = np.hypot(*steps.T)
-        lengths[(cut.offsets[1:] - 1)[~cut.closed]] = 0.0
         along = np.cumsum(lengths) - lengths
         along -= along[cut.offsets[:-1]][contour]
         count = np.ceil(lengths / (_PITCH * strand_mm)).astype(np.int64)
@@ -119,7 +127,7 @@ class Samples:
 
 
 def _normals(mesh: Mesh) -> Floats:
-    """Unit normals of all faces, shape (F, 3); upwards for a face without area."""
+    """Return the unit normals of all faces, shape (F, 3); upwards for a face without area."""
     a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
     normals: Floats = np.cross(b - a, c - a)
     lengths = np.linalg.norm(normals, axis=1)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from wireprint.hybrid.anchor import anchored
 from wireprint.hybrid.cut import Cut, Samples
 from wireprint.hybrid.lines import route
 from wireprint.hybrid.runs import Runs, Section, runs_of
@@ -15,6 +16,8 @@ from wireprint.layerwise.recipe import Recipe
 from wireprint.stages import line_section_mm2
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from wireprint._core import Layered, Mesh, Wireframe
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -55,12 +58,21 @@ class Plan:
             if not lower
         }
         least_mm = regions.shortest_run * strand_mm
-        return cls(cut, samples, runs_of(cut, samples, covered, born, least_mm), settings)
+        head = settings.printer.head
+        # A stroke leans away from each end of the gap as steeply as the head allows.
+        slope = math.tan(math.radians(head.slant_deg))
+        gap_mm = 2 * (head.tip_radius_mm + np.diff(wireframe.levels[:, 0]) / slope)
+        runs = runs_of(cut, samples, covered, born, least_mm, np.maximum(gap_mm, least_mm))
+        return cls(cut, samples, runs, settings)
 
     @property
     def sections(self) -> tuple[Section, ...]:
         """Runs that are printed."""
         return self.runs.runs
+
+    def without(self, numbers: Mapping[int, str]) -> Plan:
+        """Return the plan without the runs of some numbers, dropped for a reason each."""
+        return replace(self, runs=self.runs.without(numbers))
 
     def layered(self) -> Layered | None:
         """Return what the core needs to know; None where nothing is layers."""
@@ -69,9 +81,11 @@ class Plan:
         lines = route(self.cut, self.samples, self.runs, recipe, regions.inset * recipe.width_mm)
         if lines is None:
             return None
+        lines = anchored(lines, self.cut, printer.head.nozzle_mm)
         layer = lines.layer[lines.offsets[:-1]]
         strand_mm2 = math.pi / 4 * printer.head.nozzle_mm**2
-        section_mm2 = line_section_mm2(recipe.width_mm, self.cut.thickness[layer])
+        thickness = self.cut.thickness.tolist()
+        section_mm2 = np.array([line_section_mm2(recipe.width_mm, mm) for mm in thickness])
         whole = {(run.slab, run.strip) for run in self.sections if run.whole}
         partial = [run for run in self.sections if not run.whole]
         return {
@@ -81,5 +95,5 @@ class Plan:
             "points": np.ascontiguousarray(lines.points),
             "offsets": lines.offsets,
             "line_slabs": self.cut.slab[layer],
-            "line_flows": section_mm2 / strand_mm2,
+            "line_flows": section_mm2[layer] / strand_mm2,
         }

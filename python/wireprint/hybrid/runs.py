@@ -78,7 +78,12 @@ class Runs:
 
 
 def runs_of(
-    cut: Cut, samples: Samples, covered: Bools, born: AbstractSet[tuple[int, int]], least_mm: float
+    cut: Cut,
+    samples: Samples,
+    covered: Bools,
+    born: AbstractSet[tuple[int, int]],
+    least_mm: float,
+    gap_mm: Floats,
 ) -> Runs:
     """Turn what is covered of the surface into runs.
 
@@ -91,7 +96,10 @@ def runs_of(
     born
         Slab and strip of what begins in the air.
     least_mm
-        Runs shorter than this are dropped, gaps shorter than this are closed.
+        Runs shorter than this are dropped.
+    gap_mm
+        For each slab, mm: gaps between runs shorter than this have no room for a zigzag and join
+        them.
 
     Notes
     -----
@@ -99,7 +107,7 @@ def runs_of(
     of the slab's surface that it is nearest to. It is layers where half of its area, or more, is
     covered.
     """
-    finder = _Finder(cut, samples, covered, least_mm)
+    finder = _Finder(cut, samples, covered, least_mm, gap_mm)
     for slab, strip, which in finder.strips():
         if (slab, strip) in born:
             finder.drop_born(slab, strip, which)
@@ -111,8 +119,11 @@ def runs_of(
 class _Finder:
     """Goes through the strips that a region touches."""
 
-    def __init__(self, cut: Cut, samples: Samples, covered: Bools, least_mm: float) -> None:
-        self.cut, self.samples, self.covered, self.least_mm = cut, samples, covered, least_mm
+    def __init__(
+        self, cut: Cut, samples: Samples, covered: Bools, least_mm: float, gap_mm: Floats
+    ) -> None:
+        self.cut, self.samples, self.covered = cut, samples, covered
+        self.least_mm, self.gap_mm = least_mm, gap_mm
         self.layer = cut.layer[samples.contour]
         self.is_top = cut.is_last()[self.layer]
         self.runs: list[Section] = []
@@ -153,7 +164,8 @@ class _Finder:
         stretches: list[tuple[int, Ints]] = []
         for number in contours:
             own = np.flatnonzero(contour == number)
-            self._close_gaps(painted, sections, own, number)
+            self._drop_short(painted, slab, strip, number, own, sections)
+            self._close_gaps(painted, sections, own, number, self.gap_mm[slab])
             stretches += [(number, run) for run in self._stretches(painted, own, number)]
         if painted.all():
             self._add_whole(slab, strip, contours, which)
@@ -162,9 +174,6 @@ class _Finder:
         for number, run in stretches:
             inside = np.isin(nearest, run)
             section = self._partial(slab, strip, number, sections[run], which[inside])
-            if section.length_mm < self.least_mm:
-                self.dropped.append((section, "short_run"))
-                continue
             run_of_section[run] = len(self.runs)
             self.runs.append(section)
         self.of_sample[which] = run_of_section[nearest]
@@ -193,11 +202,26 @@ class _Finder:
         nearest[np.searchsorted(which, sections)] = np.arange(len(sections))
         return nearest
 
-    def _close_gaps(self, painted: Bools, sections: Ints, own: Ints, contour: int) -> None:
+    def _drop_short(
+        self, painted: Bools, slab: int, strip: int, contour: int, own: Ints, sections: Ints
+    ) -> None:
+        """Wipe runs that are too short to print, once gaps as short are closed."""
+        self._close_gaps(painted, sections, own, contour, self.least_mm)
+        for run in self._stretches(painted, own, contour):
+            if len(run) < len(own) and self._length(sections[run]) < self.least_mm:
+                section = self._partial(slab, strip, contour, sections[run], sections[run])
+                self.dropped.append((section, "short_run"))
+                painted[run] = False
+
+    def _close_gaps(
+        self, painted: Bools, sections: Ints, own: Ints, contour: int, longest_mm: float
+    ) -> None:
         for gap in self._stretches(~painted, own, contour):
-            length = np.sum(self.samples.end[sections[gap]] - self.samples.begin[sections[gap]])
-            if len(gap) < len(own) and length < self.least_mm:
+            if len(gap) < len(own) and self._length(sections[gap]) < longest_mm:
                 painted[gap] = True
+
+    def _length(self, which: Ints) -> float:
+        return float(np.sum(self.samples.end[which] - self.samples.begin[which]))
 
     def _stretches(self, mask: Bools, own: Ints, contour: int) -> list[Ints]:
         """Return the runs of true values among a contour's sections, around its first point too."""
@@ -217,7 +241,7 @@ class _Finder:
     def _whole(self, slab: int, strip: int, contour: int, which: Ints) -> Section:
         area, samples = self.samples.area[which], self.samples
         own = samples.contour == contour
-        length = float(np.sum(samples.end[own] - samples.begin[own]))
+        length = self._length(np.flatnonzero(own))
         heaviest = which[len(which) // 2]
         return Section(
             slab,
@@ -233,7 +257,7 @@ class _Finder:
     def _partial(self, slab: int, strip: int, contour: int, run: Ints, which: Ints) -> Section:
         samples = self.samples
         begin = float(samples.begin[run[0]])
-        length = float(np.sum(samples.end[run] - samples.begin[run]))
+        length = self._length(run)
         return Section(
             slab,
             strip,

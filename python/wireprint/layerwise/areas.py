@@ -57,20 +57,27 @@ class Contours(Protocol):
     """Contours of many slices; see `Slices`."""
 
     @property
-    def points(self) -> npt.NDArray[np.float64]: ...
+    def points(self) -> npt.NDArray[np.float64]:
+        """Points of all contours, mm, shape (P, 2)."""
+
     @property
-    def offsets(self) -> npt.NDArray[np.int64]: ...
+    def offsets(self) -> npt.NDArray[np.int64]:
+        """Where each contour's points begin, shape (M + 1,)."""
+
     @property
-    def slice_offsets(self) -> npt.NDArray[np.int64]: ...
+    def slice_offsets(self) -> npt.NDArray[np.int64]:
+        """Where each slice's contours begin, shape (K + 1,)."""
+
     @property
-    def parent(self) -> npt.NDArray[np.int64]: ...
+    def parent(self) -> npt.NDArray[np.int64]:
+        """What directly encloses each contour, shape (M,)."""
+
     @property
-    def depth(self) -> npt.NDArray[np.uint32]: ...
+    def depth(self) -> npt.NDArray[np.uint32]:
+        """How many contours enclose each one, shape (M,)."""
 
 
-def of_contours(
-    slices: Contours, which: npt.NDArray[np.bool_], resolution_mm: float
-) -> Geometries:
+def of_contours(slices: Contours, which: npt.NDArray[np.bool_], resolution_mm: float) -> Geometries:
     """Return the area that some of the contours enclose in each slice.
 
     Parameters

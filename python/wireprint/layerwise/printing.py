@@ -48,5 +48,5 @@ def layered(areas: Geometries, recipe: Recipe) -> Toolpath:
     groups = [*laid.lines, *fills]
     if not any(len(lines) for lines in groups):
         raise ModelError("no part of the model is as wide as a line")
-    heights_mm = (np.arange(len(areas)) + 1) * recipe.layer_mm
+    heights_mm = np.arange(1.0, len(areas) + 1) * recipe.layer_mm
     return toolpath(routed(groups, layer, heights_mm, recipe.seam_gap_mm), recipe.rates)

@@ -40,7 +40,7 @@ def spiral(areas: Geometries, recipe: Recipe) -> Toolpath:
     bottom = offset(filled[layer == 0], recipe.overlap_mm - recipe.spacing_mm)
     turn = np.full(len(bottom), np.pi / 4)
     solid = hatched(bottom, turn, recipe.spacing_mm, recipe.width_mm, recipe.solid_link_mm)
-    heights_mm = (np.arange(len(areas)) + 1) * recipe.layer_mm
+    heights_mm = np.arange(1.0, len(areas) + 1) * recipe.layer_mm
     return toolpath(_climbing(routed([solid, walls], layer, heights_mm, 0.0)), recipe.rates)
 
 
