@@ -5,6 +5,7 @@ import pytest
 
 from wireprint import examples
 from wireprint.gcode.flavors import KINDS
+from wireprint.hybrid.motion import motion
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
 from wireprint.regions import Box, Region, Sphere, ZRange
@@ -103,3 +104,11 @@ def test_a_run_too_short_to_print_is_dropped_and_named(models):
     (dropped,) = {run["reason"] for run in report["dropped"]}
     assert dropped == "short_run"
     assert all(run["help"] for run in report["dropped"])
+
+
+def test_a_region_turns_with_its_model(models):
+    bottle = models("bottle", height_mm=60)
+    turned = bottle.turned((90.0, 0.0, 30.0))
+    matrix = motion(bottle, turned, (90.0, 0.0, 30.0))
+    there = bottle.vertices @ matrix[:3, :3].T + matrix[:3, 3]
+    np.testing.assert_allclose(there, turned.vertices, atol=1e-9)

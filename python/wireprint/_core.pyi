@@ -350,7 +350,7 @@ class _WireParams(TypedDict):
     span_limit_mm: float
     free_end_limit_mm: float
 
-class Layered(TypedDict):
+class _Layered(TypedDict):
     strips: npt.NDArray[np.int64]
     stretches: npt.NDArray[np.int64]
     stretch_spans: npt.NDArray[np.float64]
@@ -410,7 +410,7 @@ class Wireframe:
     ) -> list[tuple[str, float, float, float, tuple[float, float, float]]]: ...
 
 def wireframe(
-    mesh: Mesh, head: _Head, params: _WireParams, layered: Layered | None = None
+    mesh: Mesh, head: _Head, params: _WireParams, layered: _Layered | None = None
 ) -> Wireframe: ...
 def toolpath(wireframe: Wireframe, params: _PathParams) -> Toolpath: ...
 

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 from wireprint import _core
 
 if TYPE_CHECKING:
-    from wireprint._core import Layered, Mesh, Toolpath, Wireframe
+    from wireprint._core import Mesh, Toolpath, Wireframe, _Layered
     from wireprint.settings import Settings
 
 
-def wireframe(mesh: Mesh, settings: Settings, layered: Layered | None = None) -> Wireframe:
+def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -> Wireframe:
     """Slice a mesh and lay its strands.
 
     Parameters

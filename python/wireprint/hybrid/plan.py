@@ -18,7 +18,7 @@ from wireprint.stages import line_section_mm2
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from wireprint._core import Layered, Mesh, Wireframe
+    from wireprint._core import Mesh, Wireframe, _Layered
     from wireprint.regions import Region
     from wireprint.settings import Settings
 
@@ -74,7 +74,7 @@ class Plan:
         """Return the plan without the runs of some numbers, dropped for a reason each."""
         return replace(self, runs=self.runs.without(numbers))
 
-    def layered(self) -> Layered | None:
+    def layered(self) -> _Layered | None:
         """Return what the core needs to know; None where nothing is layers."""
         regions, printer = self.settings.regions, self.settings.printer
         recipe = Recipe.of(regions, printer)
