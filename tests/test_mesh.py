@@ -11,6 +11,7 @@ import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from threemf_files import CUBE_OBJECT, item, write_3mf
 from wireprint._core import Mesh, ModelError, SettingError
 from wireprint.mesh import load_mesh
 
@@ -119,6 +120,39 @@ def test_turning_keeps_volume_and_area(angles, up):
     mesh = Mesh.from_arrays(solid.vertices, solid.faces, rotate=angles, up=up)
     assert mesh.volume == pytest.approx(solid.volume, rel=1e-9)
     assert mesh.area == pytest.approx(solid.area, rel=1e-9)
+
+
+@settings(max_examples=40)
+@given(
+    angles=st.tuples(*[st.floats(-360, 360)] * 3),
+    up=st.sampled_from("xyz"),
+    height=st.none() | st.floats(5, 50),
+)
+def test_the_placement_is_what_took_the_files_points_to_the_bed(angles, up, height):
+    solid = trimesh.creation.torus(28, 10, 16, 8)
+    corners = solid.triangles.reshape(-1, 3)
+    options = {"rotate": angles, "up": up, "height_mm": height, "scale": 1.3}
+    mesh = Mesh.from_arrays(np.array(solid.vertices), np.array(solid.faces), **options)
+    for placed in (mesh, mesh.centred_in_circle()):
+        moved = corners @ placed.placement[:3, :3].T + placed.placement[:3, 3]
+        assert placed.vertices[placed.faces.ravel()] == pytest.approx(moved, abs=1e-9)
+
+
+def test_a_mesh_is_restored_as_it_was():
+    solid = trimesh.creation.torus(28, 10, 16, 8)
+    faces = np.array(solid.faces)[:-5]
+    mesh = Mesh.from_arrays(np.array(solid.vertices), faces, hole_perimeter=0, rotate=(1, 2, 3))
+    again = Mesh.restored(mesh.vertices, mesh.faces)
+    for name in ("vertices", "faces", "neighbours"):
+        assert np.array_equal(getattr(mesh, name), getattr(again, name))
+    assert np.array_equal(again.placement, np.eye(4))
+    for vertices, wrong, complaint in (
+        (mesh.vertices, [[0, 1, 1]], "no area"),
+        (mesh.vertices, [[0, 1, 9999]], "vertex 9999"),
+        (np.full((3, 3), np.nan), [[0, 1, 2]], "vertex 0"),
+    ):
+        with pytest.raises(ModelError, match=complaint):
+            Mesh.restored(vertices, np.array(wrong))
 
 
 def test_units_scale_and_height_multiply(tmp_path):
@@ -265,33 +299,6 @@ def test_the_peak_memory_of_a_large_file_stays_below_six_times_the_arrays(tmp_pa
     arrays = count * 3 * 4 + count / 2 * 3 * 8
     assert count == 1_000_000
     assert peak * 1024 < 6 * arrays
-
-
-CUBE_OBJECT = (
-    '<object id="1"><mesh><vertices>'
-    + "".join(f'<vertex x="{i & 1}" y="{i >> 1 & 1}" z="{i >> 2}"/>' for i in range(8))
-    + "</vertices><triangles>"
-    + "".join(
-        f'<triangle v1="{a}" v2="{b}" v3="{c}"/>'
-        for p, q, r, s in ["0231", "4576", "0154", "2673", "0462", "1375"]
-        for a, b, c in [(p, q, r), (p, r, s)]
-    )
-    + "</triangles></mesh></object>"
-)
-
-
-def item(identity, shift):
-    return f'<item objectid="{identity}" transform="1 0 0 0 1 0 0 0 1 {shift}"/>'
-
-
-def write_3mf(path, resources, items, unit="millimeter"):
-    namespace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
-    model = (
-        f'<model unit="{unit}" xmlns="{namespace}"><resources>{resources}</resources>'
-        f"<build>{items}</build></model>"
-    )
-    with zipfile.ZipFile(path, "w") as archive:
-        archive.writestr("3D/3dmodel.model", model)
 
 
 def write_torus(path, n, m):

@@ -34,8 +34,11 @@ if TYPE_CHECKING:
     from wireprint.comparison import Comparison, Condition, compare
     from wireprint.gcode.flavors import KINDS
     from wireprint.mesh import load_mesh
+    from wireprint.model import Model, load_model
     from wireprint.orientation import Orientation, orient
     from wireprint.pipeline import WirePrint, make, to_gcode, write_gcode
+    from wireprint.project import write_project
+    from wireprint.regions import Region
     from wireprint.settings import Settings
     from wireprint.stages import toolpath, wireframe
     from wireprint.timing import estimate
@@ -47,8 +50,10 @@ __all__ = [
     "Condition",
     "GcodeError",
     "Mesh",
+    "Model",
     "ModelError",
     "Orientation",
+    "Region",
     "SettingError",
     "Settings",
     "Toolpath",
@@ -61,12 +66,14 @@ __all__ = [
     "compare",
     "estimate",
     "load_mesh",
+    "load_model",
     "make",
     "orient",
     "to_gcode",
     "toolpath",
     "wireframe",
     "write_gcode",
+    "write_project",
 ]
 
 _HOMES = {
@@ -75,18 +82,22 @@ _HOMES = {
     "Comparison": "wireprint.comparison",
     "Condition": "wireprint.comparison",
     "Orientation": "wireprint.orientation",
+    "Model": "wireprint.model",
+    "Region": "wireprint.regions",
     "Settings": "wireprint.settings",
     "WirePrint": "wireprint.pipeline",
     "check": "wireprint.certificate",
     "compare": "wireprint.comparison",
     "estimate": "wireprint.timing",
     "load_mesh": "wireprint.mesh",
+    "load_model": "wireprint.model",
     "make": "wireprint.pipeline",
     "orient": "wireprint.orientation",
     "to_gcode": "wireprint.pipeline",
     "toolpath": "wireprint.stages",
     "wireframe": "wireprint.stages",
     "write_gcode": "wireprint.pipeline",
+    "write_project": "wireprint.project",
 }
 
 

@@ -23,16 +23,24 @@ Origins: TypeAlias = dict[Key, str]
 
 def compose(
     model: type[Model],
-    printer: str,
-    material: str,
+    base: dict[str, Any],
+    printer: str | None,
+    material: str | None,
     load: Iterable[str | Path],
     overrides: Iterable[str],
 ) -> Model:
-    """Merge the layers from left to right and validate the result."""
-    values: dict[str, Any] = {}
+    """Merge the layers from left to right and validate the result.
+
+    A printer or material takes the whole place of that of the base.
+    """
+    values = dict(base)
     origins: Origins = {}
-    _add_file(values, origins, catalogue.find("printers", printer), ("printer",))
-    _add_file(values, origins, catalogue.find("materials", material), ("material",))
+    if printer is not None:
+        values.pop("printer", None)
+        _add_file(values, origins, catalogue.find("printers", printer), ("printer",))
+    if material is not None:
+        values.pop("material", None)
+        _add_file(values, origins, catalogue.find("materials", material), ("material",))
     for path in load:
         _add_loaded(model, values, origins, Path(path))
     for override in overrides:

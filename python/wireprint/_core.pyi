@@ -14,6 +14,7 @@ __all__ = [
     "WELD_DISTANCE",
     "Certificate",
     "Estimate",
+    "Facets",
     "GcodeError",
     "Mesh",
     "ModelError",
@@ -76,6 +77,11 @@ class Mesh:
         hole_perimeter: float = ...,
         weld_distance: float = ...,
     ) -> Mesh: ...
+    @staticmethod
+    def restored(
+        vertices: npt.NDArray[np.float64],
+        faces: npt.NDArray[np.int64 | np.int32 | np.uint32],
+    ) -> Mesh: ...
     @property
     def vertices(self) -> npt.NDArray[np.float64]: ...
     @property
@@ -84,6 +90,8 @@ class Mesh:
     def neighbours(self) -> npt.NDArray[np.uint32]: ...
     @property
     def bounds(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def placement(self) -> npt.NDArray[np.float64]: ...
     @property
     def size_mm(self) -> list[float]: ...
     @property
@@ -97,6 +105,11 @@ class Mesh:
     def area(self) -> float: ...
     @property
     def report(self) -> dict[str, int]: ...
+
+@final
+class Facets:
+    def __new__(cls, corners: npt.NDArray[np.float64]) -> Facets: ...
+    def nearest(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.uint32]: ...
 
 @final
 class Slices:

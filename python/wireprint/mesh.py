@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import HOLE_PERIMETER, WELD_DISTANCE, Mesh, ModelError, SettingError
 
@@ -80,17 +80,27 @@ def load_mesh(
 
     from wireprint import _formats
 
+    if suffix == "3mf":
+        from wireprint.model import File3mf
+
+        return File3mf(Path(path)).mesh(
+            scale=scale,
+            units=units,
+            up=up,
+            rotate=rotate,
+            height_mm=height_mm,
+            hole_perimeter=hole_perimeter,
+            weld_distance=weld_distance,
+        )
     if suffix not in _formats.FORMATS:
-        known = ", ".join(["STL", *(name.upper() for name in _formats.FORMATS)])
+        known = ", ".join(name.upper() for name in ("stl", *_formats.FORMATS, "3mf"))
         raise ModelError(f"{path}: the format is not supported; convert it to one of {known}")
-    if suffix == "3mf" and units != "mm":
-        raise SettingError(f"{path}: a 3MF file states its own unit; use scale instead of units")
-    vertices, faces, file_unit_mm = _formats.read_facets(Path(path), suffix)
+    vertices, faces = _formats.read_facets(Path(path), suffix)
     try:
         return Mesh.from_arrays(
             vertices,
             faces,
-            scale=scale * unit_mm * file_unit_mm,
+            scale=scale * unit_mm,
             up=up,
             rotate=rotate,
             height_mm=height_mm,
@@ -99,3 +109,7 @@ def load_mesh(
         )
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from error
+
+
+#: How `load_mesh` places a model unless it is told otherwise.
+AS_IT_IS: Final[dict[str, Any]] = dict(load_mesh.__kwdefaults__ or {})

@@ -530,7 +530,33 @@ class Settings(Section):
         """
         from wireprint import _compose
 
-        return _compose.compose(cls, printer, material, load, overrides)
+        return _compose.compose(cls, {}, printer, material, load, overrides)
+
+    def but(
+        self,
+        printer: str | None = None,
+        material: str | None = None,
+        load: "Iterable[str | Path]" = (),
+        overrides: "Iterable[str]" = (),
+    ) -> Self:
+        """Return these settings with others laid over them.
+
+        Parameters
+        ----------
+        printer, material
+            As for `load`; None keeps what these settings have.
+        load, overrides
+            As for `load`.
+
+        Raises
+        ------
+        SettingError
+            See `load`.
+        """
+        from wireprint import _compose
+
+        base = self.model_dump(mode="json")
+        return _compose.compose(type(self), base, printer, material, load, overrides)
 
     @classmethod
     def from_mapping(cls, values: "Mapping[str, Any]") -> Self:

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 #: Name of each subcommand → its module, the command in it, and the summary for ``--help``.
 COMMANDS: dict[str, tuple[str, str, str]] = {
     "slice": ("wireprint.cli.slicing", "slice_models", "Turn models into wire prints."),
+    "project": (
+        "wireprint.cli.project",
+        "project",
+        "Write a model, its settings and its marks into one 3MF file.",
+    ),
     "info": ("wireprint.cli.info", "info", "Tell size, surface and faults of a model."),
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
     "check": ("wireprint.cli.check", "check", "Judge whether a G-code file can be printed."),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -14,6 +15,9 @@ if TYPE_CHECKING:
 
 Command = TypeVar("Command", bound="Callable[..., object]")
 
+#: Profiles that are used unless others are named.
+PRINTER = "kossel-mini"
+MATERIAL = "abs"
 #: Options that stand for one key of the settings: name → (key, choices or type, help).
 _KEYS: dict[str, tuple[str, Any, str]] = {
     "flavor": (
@@ -56,15 +60,13 @@ def settings_options(command: Command) -> Command:
     options = [
         click.option(
             "--printer",
-            default="kossel-mini",
-            show_default=True,
+            show_default=PRINTER,
             metavar="NAME|FILE",
             help="Printer's profile.",
         ),
         click.option(
             "--material",
-            default="abs",
-            show_default=True,
+            show_default=MATERIAL,
             metavar="NAME|FILE",
             help="Material's profile.",
         ),
@@ -95,15 +97,40 @@ def settings_options(command: Command) -> Command:
     return command
 
 
+@dataclass(frozen=True)
+class Chosen:
+    """What the options of `settings_options` say; None: nothing."""
+
+    printer: str | None
+    material: str | None
+    load: tuple[Path, ...]
+    overrides: tuple[str, ...]
+
+    def settings(self) -> Settings:
+        """Compose the settings from profiles."""
+        from wireprint.settings import Settings
+
+        printer, material = self.printer or PRINTER, self.material or MATERIAL
+        return Settings.load(printer, material, self.load, self.overrides)
+
+    def over(self, settings: Settings) -> Settings:
+        """Lay what was chosen over other settings, such as a project's."""
+        return settings.but(self.printer, self.material, self.load, self.overrides)
+
+
 def settings_from(options: dict[str, Any]) -> Settings:
     """Take the options of `settings_options` out of a command's own and compose the settings."""
-    from wireprint.settings import Settings
+    return chosen_from(options).settings()
 
-    printer, material = options.pop("printer"), options.pop("material")
-    load, overrides = options.pop("load"), list(options.pop("overrides"))
+
+def chosen_from(options: dict[str, Any]) -> Chosen:
+    """Take the options of `settings_options` out of a command's own."""
+    overrides = list(options.pop("overrides"))
     keys = {name: key for name, (key, _, _) in _KEYS.items()} | {"caps": "wire.caps"}
     for name, key in keys.items():
         value = options.pop(name)
         if value is not None:
             overrides.append(f"{key}={str(value).lower() if name == 'caps' else value}")
-    return Settings.load(printer, material, load, overrides)
+    return Chosen(
+        options.pop("printer"), options.pop("material"), options.pop("load"), tuple(overrides)
+    )

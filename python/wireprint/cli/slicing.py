@@ -11,12 +11,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wireprint._core import UnprintableError, WireprintError
-from wireprint.cli.options import settings_from, settings_options
+from wireprint.cli.marks import Marks, marks_from, marks_options
+from wireprint.cli.options import Chosen, chosen_from, settings_options
 from wireprint.cli.placement import orient_option, placement_options
 from wireprint.cli.progress import Progress
 
 if TYPE_CHECKING:
+    from wireprint._core import Mesh
     from wireprint.certificate import Certificate
+    from wireprint.regions import Region
     from wireprint.settings import Settings
 
 
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
     metavar="OUT",
     help="G-code file to write; for several models, a folder.",
 )
+@marks_options
 @settings_options
 @placement_options
 @orient_option
@@ -47,15 +51,24 @@ def slice_models(
 ) -> None:
     """Turn models into wire prints.
 
-    MODEL is an STL, OBJ, PLY, OFF or 3MF file. Options that name a single setting win over --set,
-    --set wins over --load, and --load over the profiles.
+    MODEL is an STL, OBJ, PLY, OFF or 3MF file, or a project. Options that name a single setting
+    win over --set, --set wins over --load, and --load over the profiles, or over the settings of
+    a project. What is marked by --fill, or painted in a 3MF file, is printed as layers.
 
     The file is judged before it is written, as by `wireprint check`: one that would drive the head
     into its own strands, or leave them hanging, is refused.
     """
     targets = _targets(models, output)
-    settings = settings_from(options)
-    job = Job(settings, options, force=force, compare=as_json or not quiet, orient=orient)
+    chosen, marks = chosen_from(options), marks_from(options)
+    job = Job(
+        chosen,
+        chosen.settings(),
+        marks,
+        options,
+        force=force,
+        compare=as_json or not quiet,
+        orient=orient,
+    )
     found: list[dict[str, Any]] = []
     exit_code = 0
     with Progress(len(models)) as progress:
@@ -86,7 +99,10 @@ def slice_models(
 class Job:
     """What all models of one run share."""
 
+    chosen: Chosen
+    #: What they amount to, unless the model is a project.
     settings: Settings
+    marks: Marks
     placement: dict[str, Any]
     force: bool
     #: Whether coverage and deviation are asked for.
@@ -98,15 +114,15 @@ class Job:
         """Turn one model into a file; return its figures."""
         from wireprint.files import written_whole
         from wireprint.gcode.document import dated
-        from wireprint.mesh import load_mesh
         from wireprint.pipeline import Clock, make
 
         clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
         with clock.stage("load"):
-            mesh = load_mesh(model, **self.placement)
+            mesh, settings, region = self._loaded(model)
         made = make(
             mesh,
-            self.settings,
+            settings,
+            region,
             date=dated(model),
             clock=clock,
             compare=self.compare,
@@ -114,7 +130,7 @@ class Job:
         )
         warnings = []
         if made.certificate is not None and not made.certificate.ok:
-            reason = _breaches(made.certificate, self.settings)
+            reason = _breaches(made.certificate, settings)
             if not self.force:
                 raise UnprintableError(f"{model}: {reason}")
             warnings.append(f"written although {reason}")
@@ -124,10 +140,20 @@ class Job:
         figures = {
             "model": str(model),
             "output": str(target),
-            "printer": self.settings.printer.name,
-            "material": self.settings.material.name,
+            "printer": settings.printer.name,
+            "material": settings.material.name,
         } | made.figures()
         return figures | {"warnings": figures["warnings"] + warnings}
+
+    def _loaded(self, path: Path) -> tuple[Mesh, Settings, Region | None]:
+        """Read a model; one that cannot be marked is spared what marks import."""
+        if not self.marks.concern(path):
+            from wireprint.mesh import load_mesh
+
+            return load_mesh(path, **self.placement), self.settings, None
+        model = self.marks.load(path, self.placement)
+        settings = self.settings if model.settings is None else self.chosen.over(model.settings)
+        return model.mesh, settings, model.region
 
 
 def _breaches(certificate: Certificate, settings: Settings) -> str:

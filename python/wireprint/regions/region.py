@@ -139,10 +139,17 @@ class Region:
         if affine.shape != (4, 4) or not np.array_equal(affine[3], (0, 0, 0, 1)):
             msg = f"matrix has shape {affine.shape}; it must be (4, 4) with a last row of 0 0 0 1"
             raise SettingError(msg)
-        if not np.isfinite(affine).all() or np.linalg.cond(affine[:3, :3]) > _MOST_STRETCH:
+        if not np.isfinite(affine).all() or flattens(affine):
             msg = "matrix is not finite, or flattens space"
             raise SettingError(msg)
+        if np.array_equal(affine, np.eye(4)):
+            return self
         return Region(tuple(mark.transformed(affine) for mark in self.marks))
+
+
+def flattens(affine: npt.ArrayLike) -> bool:
+    """Whether a map, given by its upper rows, leaves less than space."""
+    return bool(np.linalg.cond(np.asarray(affine)[:3, :3]) > _MOST_STRETCH)
 
 
 def _check(name: str, array: npt.NDArray[np.float64]) -> None:

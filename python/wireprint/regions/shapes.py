@@ -17,13 +17,26 @@ Coordinate = Annotated[float, Field(ge=-1e5, le=1e5, allow_inf_nan=False)]
 Length = Annotated[float, Field(gt=0, le=1e5, allow_inf_nan=False)]
 Point = tuple[Coordinate, Coordinate, Coordinate]
 #: Length below which a vector has no direction.
-_LEAST_VECTOR = 1e-9
+LEAST_VECTOR = 1e-9
 
 
 class Shape(BaseModel):
     """What a mark covers; immutable."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the other one is of the same kind and says the same."""
+        if type(self) is not type(other):
+            return NotImplemented
+        return all(
+            np.array_equal(getattr(self, name), getattr(other, name))
+            for name in type(self).model_fields
+        )
+
+    def __hash__(self) -> int:
+        """Return what equal shapes share: their fields may be arrays, which have no hash."""
+        return hash(type(self))
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
         """Tell which points the shape covers; see `wireprint.regions.Region.covers`."""
@@ -33,7 +46,7 @@ class Shape(BaseModel):
 class Box(Shape):
     """A box along the axes, its faces included."""
 
-    shape: Literal["box"] = "box"
+    kind: Literal["box"] = "box"
     low_mm: Point
     high_mm: Point
 
@@ -52,7 +65,7 @@ class Box(Shape):
 class Sphere(Shape):
     """A ball, its surface included."""
 
-    shape: Literal["sphere"] = "sphere"
+    kind: Literal["sphere"] = "sphere"
     centre_mm: Point
     radius_mm: Length
 
@@ -65,13 +78,13 @@ class Sphere(Shape):
 class HalfSpace(Shape):
     """All points p with normal · p ≥ offset, the normal taken as a unit vector."""
 
-    shape: Literal["half"] = "half"
+    kind: Literal["half"] = "half"
     normal: Point
     offset_mm: Coordinate = Field(description="distance of the plane from x = y = z = 0")
 
     @model_validator(mode="after")
     def _normal_has_a_direction(self) -> Self:
-        if np.linalg.norm(self.normal) < _LEAST_VECTOR:
+        if np.linalg.norm(self.normal) < LEAST_VECTOR:
             raise ValueError("normal has no direction")
         return self
 
@@ -84,7 +97,7 @@ class HalfSpace(Shape):
 class ZRange(Shape):
     """All points between two heights, both included; an end that is None is open."""
 
-    shape: Literal["z"] = "z"
+    kind: Literal["z"] = "z"
     low_mm: Coordinate | None = None
     high_mm: Coordinate | None = None
 

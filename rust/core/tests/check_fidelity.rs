@@ -142,3 +142,25 @@ fn a_strand_parallel_to_a_face_deviates_by_their_distance() {
     assert_eq!(deviation(&mesh, &[]).mean, 0.0);
     assert_eq!(deviation(&Mesh::default(), &[strand]).max, 0.0);
 }
+
+#[test]
+fn the_nearest_triangle_is_the_one_that_a_search_of_all_finds() {
+    let mesh = sphere(12);
+    let triangles: Vec<_> = (0..mesh.faces.len()).map(|face| mesh.corners(face)).collect();
+    let points: Vec<_> = (0..500)
+        .map(|i| {
+            let f = f64::from(i);
+            dvec3((f * 0.7).sin(), (f * 1.3).cos(), (f * 2.1).sin()) * (10.0 + f / 20.0)
+        })
+        .collect();
+    let nearest = Surface::new(&mesh).nearest(&points);
+    assert_eq!(nearest, Surface::of(&triangles).nearest(&points));
+    let alone: Vec<_> = triangles.iter().map(|&triangle| Surface::of(&[triangle])).collect();
+    for (&point, &found) in points.iter().zip(&nearest) {
+        let distance =
+            |surface: &Surface| surface.deviation(&[[point, point + DVec3::X * 1e-9]]).max;
+        let least = alone.iter().map(distance).fold(f64::MAX, f64::min);
+        assert!(distance(&alone[found as usize]) < least + 1e-6);
+    }
+    assert!(Surface::of(&[]).nearest(&points).is_empty());
+}

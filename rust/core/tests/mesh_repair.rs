@@ -58,11 +58,7 @@ fn scrambled(mesh: &Mesh, flips: bool, seed: u64) -> Mesh {
     let count = 3 * faces.len() as u32;
     let corners = (0..count).collect::<Vec<_>>();
     let (triples, _) = corners.as_chunks::<3>();
-    Mesh {
-        vertices: faces.as_flattened().to_vec(),
-        faces: triples.to_vec(),
-        neighbours: Vec::new(),
-    }
+    Mesh { vertices: faces.as_flattened().to_vec(), faces: triples.to_vec(), ..Mesh::default() }
 }
 
 proptest! {

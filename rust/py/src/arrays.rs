@@ -41,12 +41,12 @@ pub fn points<'py>(py: Python<'py>, points: &[DVec3]) -> PyResult<Bound<'py, PyA
 ///
 /// # Errors
 /// `ModelError` that names the argument's dtype and shape where they differ.
-pub fn read_points(vertices: &Bound<'_, PyAny>) -> PyResult<Vec<DVec3>> {
-    let array = vertices
+pub fn read_points(name: &str, points: &Bound<'_, PyAny>) -> PyResult<Vec<DVec3>> {
+    let array = points
         .cast::<PyArray2<f64>>()
         .ok()
         .filter(|array| array.shape()[1] == 3)
-        .ok_or_else(|| refused("vertices", vertices, "float64 array of shape (N, 3)"))?;
+        .ok_or_else(|| refused(name, points, "float64 array of shape (N, 3)"))?;
     let array = array.try_readonly()?;
     let rows = array.as_array();
     Ok(rows.rows().into_iter().map(|row| DVec3::new(row[0], row[1], row[2])).collect())

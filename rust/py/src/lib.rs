@@ -4,6 +4,7 @@ mod arrays;
 mod check;
 mod errors;
 mod estimate;
+mod facets;
 mod gcode;
 mod layered;
 mod mesh;
@@ -21,6 +22,8 @@ mod _core {
     use super::check::{Certificate, certify, coverage, deviation};
     #[pymodule_export]
     use super::estimate::{Estimate, estimate, estimate_files};
+    #[pymodule_export]
+    use super::facets::Facets;
     #[pymodule_export]
     use super::gcode::{format_moves, insert_progress};
     #[pymodule_export]

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -95,11 +95,25 @@ impl Mesh {
         hole_perimeter: f64,
         weld_distance: f64,
     ) -> PyResult<Self> {
-        let (vertices, faces) = (arrays::read_points(vertices)?, arrays::read_faces(faces)?);
+        let (vertices, faces) =
+            (arrays::read_points("vertices", vertices)?, arrays::read_faces(faces)?);
         let placement = placement(scale, up, rotate, height_mm)?;
         let limits = Limits { hole_perimeter, weld_distance };
         let build = || mesh::Mesh::from_facets(&vertices, &faces, limits, &placement);
         detached(py, build).map(Self::new)
+    }
+
+    /// A mesh from the vertices and faces of one that was repaired and placed before, unchanged.
+    #[staticmethod]
+    fn restored(
+        py: Python<'_>,
+        vertices: &Bound<'_, PyAny>,
+        faces: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let (vertices, faces) =
+            (arrays::read_points("vertices", vertices)?, arrays::read_faces(faces)?);
+        let limits = Limits { hole_perimeter: HOLE_PERIMETER, weld_distance: WELD_DISTANCE };
+        detached(py, || mesh::Mesh::restored(vertices, faces, limits)).map(Self::new)
     }
 
     /// Vertex positions, mm, read-only float64 of shape (N, 3).
@@ -125,6 +139,14 @@ impl Mesh {
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (low, high) = self.core.bounds();
         arrays::points(py, &[low, high])
+    }
+
+    /// What took the file's points, as columns with a 1 below, to the mesh's: read-only float64 of
+    /// shape (4, 4).
+    #[getter]
+    fn placement<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rows = DMat4::from(self.core.placement).transpose();
+        arrays::matrix(py, rows.to_cols_array().to_vec(), 4)
     }
 
     /// Extent along x, y and z, mm.

@@ -21,16 +21,23 @@ pub struct Deviation {
     pub max: f64,
 }
 
-/// A mesh's surface, ready to measure distances from.
+/// A surface, ready to measure distances from.
 pub struct Surface {
-    triangles: Triangles,
+    pub(super) triangles: Triangles,
 }
 
 impl Surface {
     /// Prepares the surface of a mesh.
     #[must_use]
     pub fn new(mesh: &Mesh) -> Self {
-        Self { triangles: Triangles::new(mesh) }
+        let corners = (0..mesh.faces.len()).into_par_iter().map(|face| mesh.corners(face));
+        Self::of(&corners.collect::<Vec<_>>())
+    }
+
+    /// Prepares a surface given by its triangles, in whatever order.
+    #[must_use]
+    pub fn of(triangles: &[[DVec3; 3]]) -> Self {
+        Self { triangles: Triangles::new(triangles) }
     }
 
     /// Measures the distance of strands from the surface.

@@ -6,6 +6,7 @@
 
 mod coverage;
 mod deviation;
+mod nearest;
 mod segments;
 mod triangle;
 mod triangles;

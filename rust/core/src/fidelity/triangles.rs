@@ -7,7 +7,6 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::triangle::{self, Triangle};
-use crate::mesh::Mesh;
 
 /// Triangles in a leaf.
 const LEAF: usize = 4;
@@ -38,16 +37,18 @@ impl Bounds {
     }
 }
 
-/// Triangles of a mesh, ready for questions.
+/// Triangles, ready for questions.
 pub(super) struct Triangles {
     triangles: Vec<Triangle>,
+    /// Where each of them stood in the list that was given.
+    given: Vec<u32>,
     nodes: Vec<Bounds>,
     leaves: usize,
 }
 
 impl Triangles {
-    pub(super) fn new(mesh: &Mesh) -> Self {
-        let triangles = in_morton_order(mesh);
+    pub(super) fn new(triangles: &[Triangle]) -> Self {
+        let (given, triangles) = in_morton_order(triangles);
         let leaves = triangles.len().div_ceil(LEAF).next_power_of_two();
         let mut nodes = vec![EMPTY; 2 * leaves];
         for (node, corners) in nodes[leaves..].iter_mut().zip(triangles.chunks(LEAF)) {
@@ -56,7 +57,12 @@ impl Triangles {
         for node in (1..leaves).rev() {
             nodes[node] = nodes[2 * node].join(nodes[2 * node + 1]);
         }
-        Self { triangles, nodes, leaves }
+        Self { triangles, given, nodes, leaves }
+    }
+
+    /// Where a triangle stood in the list that was given.
+    pub(super) fn given(&self, index: usize) -> u32 {
+        self.given[index]
     }
 
     /// Index and squared distance of the nearest triangle; `guess` is a triangle to try first.
@@ -97,18 +103,18 @@ impl Triangles {
     }
 }
 
-fn in_morton_order(mesh: &Mesh) -> Vec<Triangle> {
-    let (low, high) = mesh.bounds();
+/// The triangles sorted along the Morton curve, with the place of each in the list given.
+fn in_morton_order(triangles: &[Triangle]) -> (Vec<u32>, Vec<Triangle>) {
+    let all = triangles.par_iter().map(|corners| Bounds::of(corners));
+    let Bounds { low, high } = all.reduce(|| EMPTY, Bounds::join);
     let scale = f64::from((1_u32 << BITS) - 1) / (high - low).max_element().max(f64::MIN_POSITIVE);
-    let mut keyed: Vec<(u64, u32)> = (0..mesh.faces.len())
+    let mut keyed: Vec<(u64, u32)> = (0_u32..triangles.len() as u32)
         .into_par_iter()
-        .map(|face| {
-            let [a, b, c] = mesh.corners(face);
-            (morton(((a + b + c) / 3.0 - low) * scale), face as u32)
-        })
+        .zip(triangles)
+        .map(|(index, [a, b, c])| (morton(((*a + *b + *c) / 3.0 - low) * scale), index))
         .collect();
     keyed.par_sort_unstable();
-    keyed.into_par_iter().map(|(_, face)| mesh.corners(face as usize)).collect()
+    keyed.into_par_iter().map(|(_, index)| (index, triangles[index as usize])).unzip()
 }
 
 /// Interleaves the bits of three coordinates.

@@ -1,6 +1,6 @@
 //! The smallest circle around points of the plane: how a model fits on a round bed.
 
-use glam::DVec2;
+use glam::{DAffine3, DVec2};
 use rayon::prelude::*;
 
 use super::Mesh;
@@ -53,6 +53,7 @@ impl Mesh {
         if let Some(circle) = smallest_circle(&plan) {
             let foot = circle.centre.extend(0.0);
             moved.vertices.par_iter_mut().for_each(|vertex| *vertex -= foot);
+            moved.placement = DAffine3::from_translation(-foot) * moved.placement;
         }
         moved
     }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::Result;
-use glam::DVec3;
+use crate::{CoreError, Result};
+use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
 pub mod circle;
@@ -39,6 +39,8 @@ pub struct Mesh {
     pub faces: Vec<[u32; 3]>,
     /// The face across edge `i` (from corner `i` to corner `i + 1`) of each face, or [`NO_FACE`].
     pub neighbours: Vec<[u32; 3]>,
+    /// What brought the vertices from their file, or from how they were given, to where they are.
+    pub placement: DAffine3,
 }
 
 impl Mesh {
@@ -79,6 +81,33 @@ impl Mesh {
     ) -> Result<(Self, RepairReport)> {
         let (vertices, faces) = weld::weld_facets(vertices, faces)?;
         finished(vertices, faces, limits, placement)
+    }
+
+    /// A mesh that was repaired and placed before, taken as it is: no vertex moves, and no face.
+    ///
+    /// The report is what repair would say of it.
+    ///
+    /// # Errors
+    /// [`CoreError::Unreadable`] for a coordinate that is not finite or absurd, a face without three
+    /// different vertices, or one that names a vertex that does not exist; and as
+    /// [`repair::repair`].
+    pub fn restored(
+        vertices: Vec<DVec3>,
+        faces: Vec<[u32; 3]>,
+        limits: Limits,
+    ) -> Result<(Self, RepairReport)> {
+        for v in 0..vertices.len() as u32 {
+            weld::check(&vertices, v)?;
+        }
+        for face @ [a, b, c] in &faces {
+            face.iter().try_for_each(|&v| weld::check(&vertices, v).map(|_| ()))?;
+            if a == b || b == c || c == a {
+                let text = format!("a face has vertices {a}, {b} and {c}: it has no area");
+                return Err(CoreError::Unreadable(text));
+            }
+        }
+        let (_, report) = repair::repair(vertices.clone(), faces.clone(), limits)?;
+        Ok((Self::new(vertices, faces), report))
     }
 
     /// Corners of face `f`, mm.

@@ -1,6 +1,6 @@
 //! Where a model stands: scaled, turned, centred on the bed.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
 use super::Mesh;
@@ -83,6 +83,8 @@ impl Mesh {
         check_size((high - low) * factor)?;
         let foot = DVec3::new((low.x + high.x) / 2.0, (low.y + high.y) / 2.0, low.z);
         self.vertices.par_iter_mut().for_each(|vertex| *vertex = (*vertex - foot) * factor);
+        let applied = DAffine3::from_mat3_translation(matrix * factor, -foot * factor);
+        self.placement = applied * self.placement;
         Ok(self)
     }
 }

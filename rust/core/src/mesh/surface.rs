@@ -1,6 +1,6 @@
 //! A mesh under repair: vertices, faces and their adjacency, rebuilt after each change.
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::topology::Adjacency;
 use super::{Mesh, NO_FACE, fans};
@@ -105,6 +105,6 @@ impl Surface {
 impl From<Surface> for Mesh {
     fn from(surface: Surface) -> Self {
         let Surface { vertices, faces, neighbours, .. } = surface;
-        Self { vertices, faces, neighbours }
+        Self { vertices, faces, neighbours, placement: DAffine3::IDENTITY }
     }
 }

@@ -77,15 +77,20 @@ pub fn weld_facets(vertices: &[DVec3], faces: &[[u32; 3]]) -> Result<(Vec<DVec3>
 }
 
 fn key(vertices: &[DVec3], v: u32) -> Result<[u64; 3]> {
-    let Some(point) = vertices.get(v as usize) else {
+    // Adding 0 turns −0 into 0 and changes nothing else.
+    Ok(check(vertices, v)?.to_array().map(|x| (x + 0.0).to_bits()))
+}
+
+/// The vertex `v`, if it exists and its coordinates are finite and make sense.
+pub(super) fn check(vertices: &[DVec3], v: u32) -> Result<DVec3> {
+    let Some(&point) = vertices.get(v as usize) else {
         return Err(CoreError::Unreadable(format!(
             "a face names vertex {v}, but there are {} vertices",
             vertices.len()
         )));
     };
     if point.abs().cmple(DVec3::splat(LARGEST)).all() {
-        // Adding 0 turns −0 into 0 and changes nothing else.
-        return Ok(point.to_array().map(|x| (x + 0.0).to_bits()));
+        return Ok(point);
     }
     Err(CoreError::Unreadable(format!(
         "vertex {v} is {point}: not a finite, sensible coordinate; export the model again"

@@ -1,0 +1,100 @@
+"""Projects: a 3MF file that holds a mesh, all settings and the marks on it."""
+
+# No `from __future__ import annotations` here, for pydantic's sake; see `settings`.
+
+import hashlib
+from pathlib import Path
+from typing import Any, Final, Literal
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import BaseModel, ConfigDict, Field
+
+from wireprint._core import Mesh, ModelError
+from wireprint.files import written_whole
+from wireprint.regions import Region
+from wireprint.regions.document import Document, validated
+from wireprint.settings import Settings
+from wireprint.threemf import write
+from wireprint.threemf.archive import Archive
+from wireprint.threemf.scene import related_part
+
+#: The part that makes a 3MF file a project; other programs pass over it.
+PART: Final = "Metadata/wireprint.json"
+CONTENT_TYPE: Final = "application/vnd.wireprint.project+json"
+RELATIONSHIP: Final = "urn:wireprint:project"
+#: Most bytes of that part: a mask of a million triangles.
+MOST_BYTES: Final = 1 << 25
+
+
+class Saved(BaseModel):
+    """What a project holds besides its mesh."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    format: Literal["wireprint-project"] = "wireprint-project"
+    version: Literal[1] = 1
+    #: Tells whether the mesh is still the one that was saved.
+    mesh_sha256: str = Field(pattern="^[0-9a-f]{64}$")
+    #: As ``Settings.model_dump`` gives them; checked when they are asked for.
+    settings: dict[str, Any]
+    #: Marks in the frame of the mesh.
+    strokes: Document = Document()
+
+    def is_of(self, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.int64]) -> bool:
+        """Whether a mesh is the one that was saved, number by number."""
+        return _digest(vertices, faces) == self.mesh_sha256
+
+
+def write_project(path: str | Path, mesh: Mesh, settings: Settings, region: Region) -> None:
+    """Write a project: all of it, or nothing; same input, same bytes.
+
+    Parameters
+    ----------
+    path
+        The file, ``.3mf``; an older one is replaced.
+    mesh
+        The model as it was placed.
+    settings
+        Written in full, so that it does not matter how profiles change.
+    region
+        Marks in the mesh's frame.
+
+    Raises
+    ------
+    SettingError
+        The region has a predicate, or too many marks.
+    """
+    saved = Saved(
+        mesh_sha256=_digest(mesh.vertices, mesh.faces),
+        settings=settings.model_dump(mode="json"),
+        strokes=Document.of(region),
+    )
+    content = saved.model_dump_json(indent=1, exclude_none=False).encode()
+    part = write.Extra(PART, CONTENT_TYPE, RELATIONSHIP, content)
+    written_whole(Path(path), write.package(mesh, part))
+
+
+def read_saved(archive: Archive) -> Saved | None:
+    """Return what a 3MF file holds besides its mesh; None where it is no project.
+
+    Raises
+    ------
+    ModelError
+        The part is missing, damaged, too large, or of another version.
+    """
+    name = related_part(archive, RELATIONSHIP)
+    if name is None:
+        return None
+    content = b""
+    for chunk in archive.chunks(name):
+        content += chunk
+        if len(content) > MOST_BYTES:
+            raise ModelError(f"{archive.path}: {name} has more than {MOST_BYTES} bytes")
+    return validated(Saved, content, f"{archive.path}: {name}", ModelError)
+
+
+def _digest(vertices: npt.NDArray[np.floating[Any]], faces: npt.NDArray[np.integer[Any]]) -> str:
+    """SHA-256 of a mesh's numbers; adding 0 turns −0 into 0, which is as good."""
+    numbers = (vertices + 0.0).astype("<f8").tobytes() + faces.astype("<u4").tobytes()
+    return hashlib.sha256(numbers).hexdigest()

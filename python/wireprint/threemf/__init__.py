@@ -1,0 +1,1 @@
+"""3MF files: a guarded archive, its model parts, what they place, and what is painted on it."""
