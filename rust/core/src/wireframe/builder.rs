@@ -81,6 +81,11 @@ impl<'a> Builder<'a> {
             || self.ahead.is_barred_by(self.head, from, to, 0.5 * SQUASH * self.strand)
     }
 
+    /// Whether the head, on a move, would run into a single strand.
+    fn hits(&self, path: [DVec3; 2], strand: [DVec3; 2]) -> bool {
+        self.head.deeper_than(0.5 * SQUASH * self.strand, path, strand).is_some()
+    }
+
     /// Prints one strand; a `floating` one ends in the air.
     pub fn stroke(&mut self, from: DVec3, to: DVec3, kind: Kind, floating: bool) {
         // A strand that goes on from the last one begins at the very same point.
@@ -139,7 +144,8 @@ impl<'a> Builder<'a> {
                 let contact = bare && reach < CONTACT * self.strand;
                 // Nothing holds the peak yet: the whole way down from the last base hangs.
                 let hangs = reach + from.distance(base);
-                if !contact && hangs <= longest && !self.is_barred(from, base) {
+                let crosses = self.hits([base, peak], [from, base]);
+                if !contact && hangs <= longest && !crosses && !self.is_barred(from, base) {
                     self.stroke(from, base, down, false);
                 }
             }
@@ -155,9 +161,12 @@ impl<'a> Builder<'a> {
     /// the rim that the next slab stands on, with the length, mm, that is left out because it
     /// would hang over more than `course.longest`.
     pub fn ring(&mut self, curve: &Curve, posts: &[Post], course: &Course) -> (Rim, f64) {
-        let small = curve.is_closed() && posts.len() < 2;
-        let laps = if small { (CLOSING * self.strand / curve.length()).ceil() } else { 1.0 };
+        // A ring that nothing but itself ends on must lie on itself.
+        let laps = if curve.is_closed() { CLOSING * self.strand / curve.length() } else { 1.0 };
         let stretches = stretches(curve, posts, course);
+        for _ in 1..laps.ceil().max(1.0) as usize {
+            stretches.iter().for_each(|stretch| self.polyline(stretch, course.kind));
+        }
         let mut rim = Rim { closed: curve.is_closed(), printed: true, ..Rim::default() };
         let (mut left_out, mut end) = (0.0, None);
         for stretch in stretches {
@@ -167,7 +176,7 @@ impl<'a> Builder<'a> {
                 left_out += length;
                 rim.gaps.extend(rim.points.len()..rim.points.len() + inner);
             } else {
-                (0..laps.max(1.0) as usize).for_each(|_| self.polyline(&stretch, course.kind));
+                self.polyline(&stretch, course.kind);
             }
             rim.points.extend_from_slice(&stretch[..inner]);
             end = stretch.last().copied();

@@ -61,8 +61,7 @@ pub fn add(sliced: &mut Sliced, wants: &Wants) {
     for &(slab, strip) in &wants.roofs {
         sliced.strips[slab][strip].roofed = true;
     }
-    for need in spread(&wants.columns) {
-        let foot = foot(sliced, &need);
+    for (need, foot) in spread(sliced, &wants.columns) {
         let mut below: Option<u32> = None;
         for level in foot..=need.level {
             let lower = (level > 0).then(|| push(&mut sliced.lower[level], need.place));
@@ -86,15 +85,18 @@ pub fn add(sliced: &mut Sliced, wants: &Wants) {
     }
 }
 
-/// Leaves out needs that a column nearby serves as well.
-fn spread(needs: &[Need]) -> Vec<Need> {
-    let mut kept: Vec<Need> = Vec::new();
+/// Leaves out needs that a column nearby serves as well; gives the others with the levels at which
+/// their columns begin.
+fn spread(sliced: &Sliced, needs: &[Need]) -> Vec<(Need, usize)> {
+    let mut kept: Vec<(Need, usize)> = Vec::new();
     let mut sorted = needs.to_vec();
     sorted.sort_by_key(|need| std::cmp::Reverse(need.level));
     for need in sorted {
-        let near = |k: &Need| k.place.distance(need.place) < 0.5 * APART;
-        if !kept.iter().any(near) {
-            kept.push(need);
+        let serves = |(other, foot): &(Need, usize)| {
+            *foot <= need.level && other.place.distance(need.place) < 0.5 * APART
+        };
+        if !kept.iter().any(serves) {
+            kept.push((need, foot(sliced, &need)));
         }
     }
     kept

@@ -8,8 +8,9 @@ use super::build::{Build, Ground, Standing};
 use super::columns::needs;
 use super::curve::Curve;
 use super::hatch::bridges;
+use super::level::HELD;
 use super::posts::{Post, even_spacing};
-use super::rim::Rim;
+use super::rim::{Rim, is_held};
 use super::slab::gaps;
 use super::walls::Walls;
 use super::zigzag::{Placement, ZigzagInput, zigzag};
@@ -43,16 +44,15 @@ impl Build<'_> {
             Some(standing) => Some(standing),
             None if self.p.supports => self.bridged(curve, z, printed),
             None => None,
-        };
-        let Some(standing) = standing else {
-            if !contour.support {
-                self.wants.columns.extend(needs(curve, 0.0, &[], level, 0.0));
-            }
-            return None;
-        };
+        }?;
         let standing = self.tighten(curve, z, level, standing, printed);
         let kind = if contour.support { Kind::Support } else { Kind::Contour };
         Some(self.follow(curve, &standing, z, kind))
+    }
+
+    /// Asks for columns under a contour that hangs on nothing.
+    pub(super) fn want_columns(&mut self, curve: &Curve, level: usize) {
+        self.wants.columns.extend(needs(curve, 0.0, &[], level, 0.0));
     }
 
     /// Spokes from bridges across the contour's place.
@@ -146,14 +146,13 @@ impl Build<'_> {
 
     /// Bridges from rim to rim across the place of a contour.
     fn bridge(&mut self, curve: &Curve, z: f64, printed: &Ground) -> Option<Vec<Rim>> {
-        let plan: Vec<Vec<DVec2>> = printed
-            .rims
-            .iter()
-            .flatten()
-            .filter(|rim| rim.closed && rim.printed)
-            .map(|rim| rim.points.iter().map(|p| p.truncate()).collect())
-            .collect();
-        let lines = bridges(&plan, curve.points(), self.p.cap_spacing, self.p.span_limit)?;
+        let rings: Vec<&Rim> =
+            printed.rims.iter().flatten().filter(|rim| rim.closed && rim.printed).collect();
+        let plan: Vec<Vec<DVec2>> =
+            rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
+        let held = |end: DVec2| is_held(&rings, end, HELD * self.p.strand);
+        let (figure, spacing) = (curve.points(), self.p.cap_spacing);
+        let lines = bridges(&plan, figure, spacing, self.p.span_limit, held)?;
         let rims: Vec<Rim> =
             lines.into_iter().map(|line| Rim::line(line.map(|p| p.extend(z)).to_vec())).collect();
         for rim in &rims {

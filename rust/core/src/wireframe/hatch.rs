@@ -10,10 +10,15 @@ type Row = Vec<[DVec2; 2]>;
 
 /// Parallel lines, `spacing` mm apart, through the region that lies within an odd number of the
 /// `rims` (closed polygons). Each run of lines that can be drawn in one stroke, to and fro, is
-/// one polyline whose points all lie on the rims. Lines longer than `longest` mm are left out;
-/// the second value is the length left out, mm.
+/// one polyline whose points all lie on the rims. Lines longer than `longest` mm, and those with
+/// an end that is not `held`, are left out; the second value is the length left out, mm.
 #[must_use]
-pub fn hatch(rims: &[Vec<DVec2>], spacing: f64, longest: f64) -> (Vec<Vec<DVec2>>, f64) {
+pub fn hatch(
+    rims: &[Vec<DVec2>],
+    spacing: f64,
+    longest: f64,
+    held: impl Fn(DVec2) -> bool,
+) -> (Vec<Vec<DVec2>>, f64) {
     let mut best: Option<(f64, DVec2, Vec<Row>)> = None;
     for i in 0..DIRECTIONS {
         let angle = std::f64::consts::PI * i as f64 / DIRECTIONS as f64;
@@ -30,7 +35,7 @@ pub fn hatch(rims: &[Vec<DVec2>], spacing: f64, longest: f64) -> (Vec<Vec<DVec2>
     for row in &mut rows {
         row.retain(|l| {
             let length = l[0].distance(l[1]);
-            let keep = length <= longest;
+            let keep = length <= longest && l.iter().all(|&end| held(end));
             if !keep {
                 dropped += length;
             }
@@ -41,13 +46,15 @@ pub fn hatch(rims: &[Vec<DVec2>], spacing: f64, longest: f64) -> (Vec<Vec<DVec2>
 }
 
 /// Lines from rim to rim, `spacing` mm apart, across the place of a figure within the rims. None
-/// where in no direction all of them, two at least, are within `longest` mm.
+/// where in no direction all of them, two at least, are within `longest` mm and `held` at both
+/// ends.
 #[must_use]
 pub fn bridges(
     rims: &[Vec<DVec2>],
     figure: &[DVec2],
     spacing: f64,
     longest: f64,
+    held: impl Fn(DVec2) -> bool,
 ) -> Option<Vec<[DVec2; 2]>> {
     let mut best: Option<(f64, Row)> = None;
     for i in 0..DIRECTIONS {
@@ -64,7 +71,8 @@ pub fn bridges(
         };
         let Some(found) = (0..count).map(row).collect::<Option<Row>>() else { continue };
         let span = found.iter().map(|l| l[0].distance(l[1])).fold(0.0, f64::max);
-        if span <= longest && best.as_ref().is_none_or(|b| span < b.0 - 1e-6) {
+        let all_held = || found.iter().flatten().all(|&end| held(end));
+        if span <= longest && all_held() && best.as_ref().is_none_or(|b| span < b.0 - 1e-6) {
             best = Some((span, found));
         }
     }
@@ -166,7 +174,7 @@ mod tests {
 
     #[test]
     fn a_square_is_closed_in_one_stroke() {
-        let (lines, dropped) = hatch(&[square(28.0)], 6.0, 65.0);
+        let (lines, dropped) = hatch(&[square(28.0)], 6.0, 65.0, |_| true);
         assert_eq!(lines.len(), 1);
         assert_eq!(dropped, 0.0);
         assert!(lines[0].len() >= 8);
@@ -175,7 +183,7 @@ mod tests {
     #[test]
     fn a_hole_is_left_open() {
         let hole: Vec<DVec2> = square(8.0).into_iter().map(|p| p + 10.0).rev().collect();
-        let (lines, _) = hatch(&[square(28.0), hole], 3.0, 65.0);
+        let (lines, _) = hatch(&[square(28.0), hole], 3.0, 65.0, |_| true);
         for line in lines.iter().flat_map(|l| l.windows(2)) {
             let middle = (line[0] + line[1]) * 0.5;
             assert!(!(middle - 14.0).abs().cmplt(DVec2::splat(3.9)).all());
@@ -183,8 +191,15 @@ mod tests {
     }
 
     #[test]
+    fn no_line_ends_where_nothing_holds_it() {
+        let (lines, dropped) = hatch(&[square(28.0)], 6.0, 65.0, |end| end.x > 0.1);
+        assert!(lines.iter().flatten().all(|end| end.x > 0.1));
+        assert!(dropped > 0.0);
+    }
+
+    #[test]
     fn lines_beyond_the_span_are_reported() {
-        let (lines, dropped) = hatch(&[square(100.0)], 10.0, 65.0);
+        let (lines, dropped) = hatch(&[square(100.0)], 10.0, 65.0, |_| true);
         assert!(lines.iter().flat_map(|l| l.windows(2)).all(|w| w[0].distance(w[1]) <= 65.0));
         assert!(dropped > 0.0);
     }

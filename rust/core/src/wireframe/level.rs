@@ -8,13 +8,16 @@ use super::curve::Curve;
 use super::hang::LEDGE;
 use super::hatch::hatch;
 use super::layered::closed_rim;
-use super::rim::{Rim, nearest_of};
+use super::rim::{Rim, is_held, nearest_of};
 use super::strips::Strip;
 use super::{Kind, Reason};
 use crate::contours::{Contour, polygon};
 
 /// A contour printed on top of another lies higher by this part of the strand's diameter.
 const LIFT: f64 = 0.4;
+
+/// A strand's end this near to a rim, as a part of the strand's diameter, lies on it.
+pub const HELD: f64 = 0.25;
 
 impl Build<'_> {
     /// From the contours that end a slab to those that begin the next: the same rim where they
@@ -79,7 +82,11 @@ impl Build<'_> {
             return Some((*rim).clone());
         }
         if ledge.lower.is_empty() {
-            return self.hang(curve, z, level, contour, printed);
+            let rim = self.hang(curve, z, level, contour, printed);
+            if rim.is_none() && !contour.support {
+                self.want_columns(curve, level);
+            }
+            return rim;
         }
         if self.are_layers(level, &ledge.lower) && self.is_within(curve, level, &ledge.lower) {
             return Some(closed_rim(curve, z));
@@ -166,13 +173,15 @@ impl Build<'_> {
 
     /// Prints strands from rim to rim in the region within an odd number of rims.
     fn fill(&mut self, rings: &[&Rim], on_bed: bool) -> Vec<Rim> {
-        let rings: Vec<&&Rim> =
-            rings.iter().filter(|rim| rim.closed && rim.points.len() > 2).collect();
+        let rings: Vec<&Rim> =
+            rings.iter().filter(|rim| rim.closed && rim.points.len() > 2).copied().collect();
         let Some(first) = rings.first().map(|rim| rim.points[0]) else { return Vec::new() };
         let plan: Vec<Vec<DVec2>> =
             rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
         let longest = if on_bed { f64::INFINITY } else { self.p.span_limit };
-        let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest);
+        let whole = rings.iter().all(|rim| rim.gaps.is_empty());
+        let held = |end: DVec2| whole || is_held(&rings, end, HELD * self.p.strand);
+        let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest, held);
         let rims: Vec<Rim> = lines
             .into_iter()
             .map(|line| Rim::line(line.into_iter().map(|p| p.extend(first.z)).collect()))

@@ -74,6 +74,12 @@ impl Rim {
     }
 }
 
+/// Whether something printed lies within `distance` mm of a place.
+#[must_use]
+pub fn is_held(rims: &[&Rim], place: DVec2, distance: f64) -> bool {
+    nearest_of(rims, place).is_some_and(|foothold| foothold.distance <= distance)
+}
+
 /// The nearest place on any of several rims.
 #[must_use]
 pub fn nearest_of(rims: &[&Rim], p: DVec2) -> Option<Foothold> {

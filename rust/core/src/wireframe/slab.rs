@@ -66,6 +66,7 @@ impl Build<'_> {
         let z = top.z;
         let mut printed = Ground { rims: vec![None; top.curves.len()], lines: Vec::new() };
         let mut jobs = self.jobs(&top, &ground.rims);
+        self.print_crowded_rims(&top, &jobs, ground);
         let (mut waiting, mut loose, mut bare) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(job) = self.next_job(&mut jobs, &ground.rims) {
             let Some(curve) = &top.curves[job.curve] else { continue };
@@ -247,14 +248,33 @@ impl Build<'_> {
         let [carrier] = carriers[..] else { return None };
         let mut input = self.input(top, job, curve, &carriers);
         input.on_peaks = true;
-        let out = &self.out;
-        let (start, steps) = zigzag(&input, self.head, |post| !out.is_barred(post.base, post.peak));
+        let (out, limit) = (&self.out, self.p.free_end_limit);
+        let (start, steps) = zigzag(&input, self.head, |post| {
+            post.base.distance(post.peak) <= limit && !out.is_barred(post.base, post.peak)
+        });
         if steps.len() != carrier.points.len() || steps.iter().skip(1).any(|s| !s.linked) {
             return None;
         }
         let posts = self.out.zigzag(&steps, Kind::Post, Kind::Diagonal, self.p.span_limit);
         self.note(top, job, &posts);
         Some(Standing { curve: job.curve, start, posts })
+    }
+
+    /// Contours through bare peaks are printed before anything stands beside them, for it is not
+    /// sure that the chain of peaks can go on among neighbours.
+    fn print_crowded_rims(&mut self, top: &Top, jobs: &[Job], ground: &mut Ground) {
+        if self.p.pattern != Pattern::Peaks {
+            return;
+        }
+        let boxes: Vec<(DVec2, DVec2)> = jobs.iter().map(|job| room(top, job, ground)).collect();
+        let near = |a: &(DVec2, DVec2), b: &(DVec2, DVec2)| {
+            (a.0 - b.1).max(b.0 - a.1).max_element() < top.reach
+        };
+        for (k, job) in jobs.iter().enumerate() {
+            if boxes.iter().enumerate().any(|(i, other)| i != k && near(&boxes[k], other)) {
+                self.print_bare_rims(job, ground);
+            }
+        }
     }
 
     /// Prints the contours through peaks that were to do without one.
@@ -309,7 +329,7 @@ impl Build<'_> {
         plain
             && standing.posts.len() > 2
             && self.sliced.ledges[level].is_none()
-            && above.iter().any(|s| s.lower == [contour] && s.upper.len() == 1)
+            && above.iter().any(|s| s.lower == [contour] && s.upper.len() == 1 && !s.roofed)
     }
 
     /// Prints the rings that had to wait, the nearest first.
@@ -342,6 +362,10 @@ impl Build<'_> {
             let rim = self.hang(curve, top.z, top.slab + 1, contour, printed);
             if rim.is_none() && !contour.support {
                 let born = job.carriers.is_empty();
+                // What stands on something unprinted will stand once that is supported.
+                if !born || self.sliced.strips[top.slab][job.strip].lower.is_empty() {
+                    self.want_columns(curve, top.slab + 1);
+                }
                 let reason = if born { Reason::MidAir } else { Reason::NoFoothold };
                 self.give_up(top.slab, job.strip, reason);
             }
@@ -424,6 +448,14 @@ fn held(posts: Vec<Post>, curve: &Curve, piece: &Piece, z: f64) -> Vec<Post> {
     let first = piece.meets[0].then(|| end(0.0));
     let last = piece.meets[1].then(|| end(curve.length()));
     first.into_iter().chain(posts).chain(last).collect()
+}
+
+/// The rectangle over which the posts of a contour stand.
+fn room(top: &Top, job: &Job, ground: &Ground) -> (DVec2, DVec2) {
+    let rims = job.carriers.iter().filter_map(|&i| ground.rims[i].as_ref());
+    let below = rims.flat_map(|rim| &rim.points).map(|p| p.truncate());
+    let above = top.curves[job.curve].iter().flat_map(|curve| curve.points().iter().copied());
+    bounds(below.chain(above))
 }
 
 /// Arc length at which each gap between posts begins, and its length, mm.

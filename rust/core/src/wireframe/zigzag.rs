@@ -79,7 +79,8 @@ pub fn zigzag(
     if input.placement == Placement::Paper {
         let (curve, z, start) = (input.curve, input.z, input.start);
         let posts = place_by_averaging(curve, z, start, input.rims, head, ideal);
-        return (start, posts.into_iter().map(|post| Step { post, linked: true }).collect());
+        let free = posts.into_iter().filter(|post| is_free(post));
+        return (start, free.map(|post| Step { post, linked: true }).collect());
     }
     let step = FINEST.max(least / 8.0);
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
