@@ -90,6 +90,7 @@ pub fn candidates(
     // Where two coincide, the one with a foothold on a peak is kept.
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.is_some().cmp(&a.1.is_some())));
     merge_close(&mut places, 0.02 * step);
+    places.retain(|place| !on_peaks || place.1.is_some());
     places
         .into_iter()
         .filter_map(|(s, vertex)| candidate(curve, z, start, s, vertex, rims))

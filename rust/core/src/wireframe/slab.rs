@@ -201,8 +201,9 @@ impl Build<'_> {
             post.base.distance(post.peak) <= limit && !out.is_barred(post.base, post.peak)
         });
         let piece = top.piece(job.curve);
-        if let Some(piece) = piece {
-            self.slant(&mut steps, curve, piece, carriers);
+        match piece {
+            Some(piece) => self.slant(&mut steps, curve, piece, carriers),
+            None => steps = met(curve, steps, self.p.span_limit),
         }
         let down = if up == Kind::Post { Kind::Diagonal } else { up };
         let mut posts = self.out.zigzag(&steps, up, down, self.p.span_limit);
@@ -466,6 +467,20 @@ pub fn gaps<'a>(curve: &'a Curve, posts: &'a [Post]) -> impl Iterator<Item = (f6
         (last, curve.length() - last + first)
     });
     posts.windows(2).map(|p| (p[0].s, p[1].s - p[0].s)).chain(around)
+}
+
+/// Leaves out posts whose contour hangs too far on both sides to be printed: nothing would ever
+/// meet their peaks.
+fn met(curve: &Curve, steps: Vec<Step>, longest: f64) -> Vec<Step> {
+    let posts: Vec<Post> = steps.iter().map(|step| step.post).collect();
+    let short: Vec<bool> = gaps(curve, &posts).map(|(_, gap)| gap <= longest).collect();
+    let before = |i: usize| match i.checked_sub(1) {
+        Some(last) => short[last],
+        None => curve.is_closed() && short.last().is_some_and(|&s| s),
+    };
+    let is_met = |i: usize| before(i) || short.get(i).is_some_and(|&s| s);
+    let kept = steps.into_iter().enumerate().filter(|&(i, _)| is_met(i));
+    kept.map(|(_, step)| step).collect()
 }
 
 /// Whether most of a strip is roof or floor, not wall.
