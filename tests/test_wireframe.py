@@ -1,15 +1,10 @@
-"""The wireframe keeps the rules of printability, on solids made at random and by the package."""
+"""The wireframe keeps the rules of printability."""
 
 import numpy as np
 import pytest
-import trimesh
-from click.testing import CliRunner
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from wireprint import examples
 from wireprint._core import Mesh
-from wireprint.cli import main
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
 from wireprint.settings import Settings
@@ -23,56 +18,6 @@ def example(tmp_path, name):
     path = tmp_path / f"{name}.stl"
     path.write_bytes(examples.stl(name))
     return load_mesh(path)
-
-
-def tower(radii, heights, lobes, depth):
-    """A stack of star-shaped rings, closed at both ends."""
-    corners = 8 * max(lobes, 2)
-    turn = np.linspace(0, 2 * np.pi, corners, endpoint=False)
-    star = 1 + depth * np.cos(lobes * turn)
-    rings = [
-        np.column_stack([r * star * np.cos(turn), r * star * np.sin(turn), np.full(corners, z)])
-        for r, z in zip(radii, np.cumsum([0, *heights]), strict=True)
-    ]
-    bottom, top = rings[0].mean(axis=0), rings[-1].mean(axis=0)
-    vertices = np.vstack([*rings, bottom, top])
-    here = np.arange(corners)
-    ahead = (here + 1) % corners
-    faces = []
-    for k in range(len(rings) - 1):
-        a, b = k * corners, (k + 1) * corners
-        faces += [np.column_stack([a + here, a + ahead, b + ahead])]
-        faces += [np.column_stack([a + here, b + ahead, b + here])]
-    last = (len(rings) - 1) * corners
-    faces += [np.column_stack([ahead, here, np.full(corners, len(vertices) - 2)])]
-    faces += [np.column_stack([last + here, last + ahead, np.full(corners, len(vertices) - 1)])]
-    return vertices, np.vstack(faces).astype(np.int64)
-
-
-@settings(max_examples=15, suppress_health_check=[HealthCheck.too_slow])
-@given(
-    st.lists(st.floats(6, 40), min_size=2, max_size=6),
-    st.data(),
-    st.integers(2, 7),
-    st.floats(0, 0.4),
-)
-def test_a_random_tower_is_certified_or_refused(tmp_path_factory, radii, data, lobes, depth):
-    heights = data.draw(
-        st.lists(st.floats(2, 25), min_size=len(radii) - 1, max_size=len(radii) - 1)
-    )
-    vertices, faces = tower(radii, heights, lobes, depth)
-    mesh = Mesh.from_arrays(vertices, faces)
-    certificate = make(mesh, Settings.load(), compare=False).certificate
-    assert not certificate.collisions
-    assert not certificate.out_of_bounds
-    if not certificate.ok:
-        folder = tmp_path_factory.mktemp("refused")
-        trimesh.Trimesh(vertices, faces, process=False).export(folder / "tower.stl")
-        done = CliRunner().invoke(
-            main, ["slice", str(folder / "tower.stl"), "-o", str(folder / "tower.gcode")]
-        )
-        assert done.exit_code == 5
-        assert not (folder / "tower.gcode").exists()
 
 
 @pytest.mark.parametrize("name", ["cube", "sphere", "bottle", "branch", "torus"])

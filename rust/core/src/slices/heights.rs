@@ -78,7 +78,10 @@ pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Lev
     let candidates = candidates(&wanted, first, last, params);
     let chain = cheapest_chain(mesh, head, params, &candidates, &wanted);
     let mut levels: Vec<Level> = chain.into_iter().map(|z| Level { z, low: z, high: z }).collect();
-    widen(&mut levels, &wanted, params.slab_min * 0.5);
+    // A model lower than a slab is its first contour, wherever the features above it lie.
+    if levels.len() > 1 {
+        widen(&mut levels, &wanted, params.slab_min * 0.5);
+    }
     levels
 }
 
