@@ -26,10 +26,12 @@ from threemf_files import (
     write_3mf,
     write_zip,
 )
-from wireprint._core import ModelError
+from wireprint._core import ModelError, WireprintError
 from wireprint.mesh import load_mesh
 from wireprint.model import load_marks, load_model
-from wireprint.project import RELATIONSHIP
+from wireprint.project import RELATIONSHIP, write_project
+from wireprint.regions import Region, ZRange
+from wireprint.settings import Settings
 from wireprint.threemf.paint import decoded
 
 CUBE = np.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)], float)
@@ -264,6 +266,8 @@ HOSTILE = {
         "document type",
     ),
     "undefined entity": ({MODEL: model(items="&x;")}, "damaged"),
+    "unknown encoding": ({MODEL: '<?xml version="1.0" encoding="rot13"?><a/>'}, "damaged"),
+    "strange encoding": ({MODEL: '<?xml version="1.0" encoding="utf-7"?><a/>'}, "damaged"),
     "no XML": ({MODEL: b"\xff\xfe\x00"}, "damaged"),
     "XML that ends early": ({MODEL: model()[:-9]}, "damaged"),
     "deep XML": ({MODEL: nested(100)}, "nested"),
@@ -330,6 +334,31 @@ def test_a_hostile_archive_is_refused_by_name(tmp_path):
     write_zip(path, {MODEL: model()}, zipfile.ZIP_LZMA)
     with pytest.raises(ModelError, match="packed in a way"):
         load_model(path)
+
+
+@settings(max_examples=200)
+@given(data=st.data())
+def test_a_file_in_which_bytes_were_changed_is_read_or_refused(data, tmp_path_factory):
+    path = tmp_path_factory.mktemp("changed") / "x.3mf"
+    cube = load_model(write_3mf(path, cube_object(9))).mesh
+    write_project(path, cube, Settings.load(), Region().add(ZRange(low_mm=1)))
+    with zipfile.ZipFile(path) as archive:
+        parts = {name: archive.read(name).decode() for name in archive.namelist()}
+    parts[MODEL] = model(cube_object(9, attributes={3: 'paint_color="48403"'}))
+    name = data.draw(st.sampled_from(sorted(parts)))
+    place = data.draw(st.integers(0, len(parts[name])))
+    end = place + data.draw(st.integers(0, 4))
+    word = data.draw(st.sampled_from(["nan", "-1", "1e999", "<", "&", '"', "[", "null", "\0", "9"]))
+    parts[name] = parts[name][:place] + word + parts[name][end:]
+    write_zip(path, parts)
+    content = bytearray(path.read_bytes())
+    if data.draw(st.booleans()):
+        content[data.draw(st.integers(0, len(content) - 1))] = data.draw(st.integers(0, 255))
+    path.write_bytes(content)
+    try:
+        load_model(path)
+    except WireprintError as error:
+        assert str(path) in str(error)  # noqa: PT017
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads the peak from /proc")

@@ -88,5 +88,7 @@ def parse(chunks: Iterable[bytes], place: str, tables: Callable[[str], Tables]) 
             if fed - max(parser.CurrentByteIndex, 0) > MOST_TAG:
                 raise ModelError(f"{place}: its XML has a tag of more than {MOST_TAG} bytes")
         parser.Parse(b"", True)
-    except expat.ExpatError as error:
+    except ModelError:
+        raise
+    except (expat.ExpatError, LookupError, ValueError) as error:  # the latter two: its encoding
         raise ModelError(f"{place}: its XML is damaged: {error}") from error
