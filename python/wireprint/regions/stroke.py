@@ -4,9 +4,12 @@ from collections.abc import Iterator
 from typing import Annotated, Literal, Self
 
 import numpy as np
+import numpy.typing as npt
 from pydantic import Field, model_validator
 
 from wireprint.regions.shapes import LEAST_VECTOR, Flags, Floats, Length, Point, Shape
+
+Indices = npt.NDArray[np.intp]
 
 #: Most points of one stroke: minutes of a mouse that is never lifted.
 MOST_POINTS = 10_000
@@ -41,17 +44,26 @@ class Stroke(Shape):
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
         """Tell which points the stroke covers."""
-        covered = np.zeros(len(points), np.bool_)
         order = np.argsort(points[:, 0], kind="stable")
-        along_x = points[order, 0]
+        points, normals = points[order], normals[order]
+        swept = np.zeros(len(points), np.bool_)
         for ends, facing in self._segments():
-            # Only points between the segment's ends along x, give or take the radius, can be near.
-            low, high = ends[:, 0].min() - self.radius_mm, ends[:, 0].max() + self.radius_mm
-            first, end = np.searchsorted(along_x, low), np.searchsorted(along_x, high, "right")
-            near = order[first:end]
-            near = near[~covered[near]]
-            covered[near] = self._swept(points[near], normals[near], ends, facing)
+            near = self._near(points, ends)
+            near = near[~swept[near]]
+            swept[near] = self._swept(points[near], normals[near], ends, facing)
+        covered = np.empty_like(swept)
+        covered[order] = swept
         return covered
+
+    def _near(self, points: Floats, ends: Floats) -> Indices:
+        """Return which of the points, sorted by x, lie in the box around a capsule."""
+        low, high = ends.min(axis=0) - self.radius_mm, ends.max(axis=0) + self.radius_mm
+        first = int(np.searchsorted(points[:, 0], low[0]))
+        end = int(np.searchsorted(points[:, 0], high[0], "right"))
+        across = points[first:end, 1:]
+        inside: Flags = ((across >= low[1:]) & (across <= high[1:])).all(axis=1)
+        found: Indices = np.flatnonzero(inside) + first
+        return found
 
     def _segments(self) -> Iterator[tuple[Floats, Floats]]:
         """Yield both ends of each segment, and the unit normals there; a lone point is one."""
