@@ -153,6 +153,16 @@ def test_a_mesh_is_restored_as_it_was():
     ):
         with pytest.raises(ModelError, match=complaint):
             Mesh.restored(vertices, np.array(wrong))
+    for paired, complaint in (
+        ([(9999, 0, 0)], "does not exist"),
+        ([(0, 3, 0)], "does not exist"),
+        ([(0, 0, 9999)], "share no edge"),
+        ([(0, 0, NO_FACE)], "only one knows the other"),
+        ([(0, 0, 0)], "share no edge"),
+        ([(0, 0, 100), (100, 0, 0)], "share no edge"),
+    ):
+        with pytest.raises(ModelError, match=complaint):
+            Mesh.restored(mesh.vertices, mesh.faces, paired)
 
 
 def test_units_scale_and_height_multiply(tmp_path):

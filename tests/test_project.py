@@ -30,11 +30,10 @@ OVERRIDES = [
 
 
 def same_mesh(one, other):
-    """Where more than two faces meet at an edge, who is whose neighbour is found anew."""
-    names = ["vertices", "faces"]
-    if one.report["nonmanifold_edges"] == 0:
-        names.append("neighbours")
-    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in names)
+    return all(
+        np.array_equal(getattr(one, name), getattr(other, name))
+        for name in ("vertices", "faces", "neighbours")
+    )
 
 
 def broken_torus(seed):

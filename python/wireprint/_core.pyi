@@ -81,6 +81,7 @@ class Mesh:
     def restored(
         vertices: npt.NDArray[np.float64],
         faces: npt.NDArray[np.int64 | np.int32 | np.uint32],
+        paired: Sequence[Sequence[int]] = ...,
     ) -> Mesh: ...
     @property
     def vertices(self) -> npt.NDArray[np.float64]: ...

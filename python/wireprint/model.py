@@ -123,7 +123,7 @@ class File3mf:
         options["scale"] *= self.scene.unit_mm
         try:
             if as_it_is and self._saved is not None and self._saved.is_of(vertices, faces):
-                return Mesh.restored(vertices, faces)
+                return Mesh.restored(vertices, faces, self._saved.paired)
             return Mesh.from_arrays(vertices, faces, **options)
         except ModelError as error:
             raise ModelError(f"{self.path}: {error}") from error

@@ -4,7 +4,7 @@
 
 import hashlib
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import Annotated, Any, Final, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +27,9 @@ RELATIONSHIP: Final = "urn:wireprint:project"
 MOST_BYTES: Final = 1 << 25
 
 
+_Index = Annotated[int, Field(ge=0, lt=2**32)]
+
+
 class Saved(BaseModel):
     """What a project holds besides its mesh."""
 
@@ -36,6 +39,8 @@ class Saved(BaseModel):
     version: Literal[1] = 1
     #: Tells whether the mesh is still the one that was saved.
     mesh_sha256: str = Field(pattern="^[0-9a-f]{64}$")
+    #: Face, edge and neighbour where the mesh's are not those that are found anew.
+    paired: tuple[tuple[_Index, _Index, _Index], ...] = ()
     #: As ``Settings.model_dump`` gives them; checked when they are asked for.
     settings: dict[str, Any]
     #: Marks in the frame of the mesh.
@@ -67,6 +72,7 @@ def write_project(path: str | Path, mesh: Mesh, settings: Settings, region: Regi
     """
     saved = Saved(
         mesh_sha256=_digest(mesh.vertices, mesh.faces),
+        paired=_paired(mesh),
         settings=settings.model_dump(mode="json"),
         strokes=Document.of(region),
     )
@@ -92,6 +98,14 @@ def read_saved(archive: Archive) -> Saved | None:
         if len(content) > MOST_BYTES:
             raise ModelError(f"{archive.path}: {name} has more than {MOST_BYTES} bytes")
     return validated(Saved, content, f"{archive.path}: {name}", ModelError)
+
+
+def _paired(mesh: Mesh) -> tuple[tuple[int, int, int], ...]:
+    """Face, edge and neighbour wherever `Mesh.restored` would find another neighbour."""
+    plain = Mesh.restored(mesh.vertices, mesh.faces)
+    neighbours = mesh.neighbours
+    wrong = np.argwhere(plain.neighbours != neighbours).tolist()
+    return tuple((face, edge, int(neighbours[face, edge])) for face, edge in wrong)
 
 
 def _digest(vertices: npt.NDArray[np.floating[Any]], faces: npt.NDArray[np.integer[Any]]) -> str:

@@ -60,8 +60,8 @@ class Stroke(Shape):
         low, high = ends.min(axis=0) - self.radius_mm, ends.max(axis=0) + self.radius_mm
         first = int(np.searchsorted(points[:, 0], low[0]))
         end = int(np.searchsorted(points[:, 0], high[0], "right"))
-        across = points[first:end, 1:]
-        inside: Flags = ((across >= low[1:]) & (across <= high[1:])).all(axis=1)
+        _, y, z = points[first:end].T
+        inside = (y >= low[1]) & (y <= high[1]) & (z >= low[2]) & (z <= high[2])
         found: Indices = np.flatnonzero(inside) + first
         return found
 

@@ -104,16 +104,21 @@ impl Mesh {
     }
 
     /// A mesh from the vertices and faces of one that was repaired and placed before, unchanged.
+    ///
+    /// Each of `paired` is a face, its edge (0–2) and the neighbour across it, where that is not
+    /// the one found anew.
     #[staticmethod]
+    #[pyo3(signature = (vertices, faces, paired=Vec::new()))]
     fn restored(
         py: Python<'_>,
         vertices: &Bound<'_, PyAny>,
         faces: &Bound<'_, PyAny>,
+        paired: Vec<[u32; 3]>,
     ) -> PyResult<Self> {
         let (vertices, faces) =
             (arrays::read_points("vertices", vertices)?, arrays::read_faces(faces)?);
         let limits = Limits { hole_perimeter: HOLE_PERIMETER, weld_distance: WELD_DISTANCE };
-        detached(py, || mesh::Mesh::restored(vertices, faces, limits)).map(Self::new)
+        detached(py, || mesh::Mesh::restored(vertices, faces, &paired, limits)).map(Self::new)
     }
 
     /// Vertex positions, mm, read-only float64 of shape (N, 3).

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{CoreError, Result};
+use crate::Result;
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
@@ -15,6 +15,7 @@ mod needles;
 mod orient;
 pub mod place;
 pub mod repair;
+mod restore;
 mod slivers;
 mod stitch;
 pub mod stl;
@@ -81,33 +82,6 @@ impl Mesh {
     ) -> Result<(Self, RepairReport)> {
         let (vertices, faces) = weld::weld_facets(vertices, faces)?;
         finished(vertices, faces, limits, placement)
-    }
-
-    /// A mesh that was repaired and placed before, taken as it is: no vertex moves, and no face.
-    ///
-    /// The report is what repair would say of it.
-    ///
-    /// # Errors
-    /// [`CoreError::Unreadable`] for a coordinate that is not finite or absurd, a face without three
-    /// different vertices, or one that names a vertex that does not exist; and as
-    /// [`repair::repair`].
-    pub fn restored(
-        vertices: Vec<DVec3>,
-        faces: Vec<[u32; 3]>,
-        limits: Limits,
-    ) -> Result<(Self, RepairReport)> {
-        for v in 0..vertices.len() as u32 {
-            weld::check(&vertices, v)?;
-        }
-        for face @ [a, b, c] in &faces {
-            face.iter().try_for_each(|&v| weld::check(&vertices, v).map(|_| ()))?;
-            if a == b || b == c || c == a {
-                let text = format!("a face has vertices {a}, {b} and {c}: it has no area");
-                return Err(CoreError::Unreadable(text));
-            }
-        }
-        let (_, report) = repair::repair(vertices.clone(), faces.clone(), limits)?;
-        Ok((Self::new(vertices, faces), report))
     }
 
     /// Corners of face `f`, mm.
