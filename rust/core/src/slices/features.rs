@@ -8,6 +8,8 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use crate::mesh::{Mesh, NO_FACE};
 
 /// What happens at a feature height.
@@ -50,11 +52,9 @@ const FLAT_STEP: f64 = 0.01;
 /// The features of at least `least` mm, sorted by height; size as in [`Feature::size`].
 #[must_use]
 pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
-    let rank = ranks(mesh);
-    let (join, split) = rayon::join(
-        || sweep(mesh, &rank, |r| r),
-        || sweep(mesh, &rank, |r| (mesh.vertices.len() - 1) as u32 - r),
-    );
+    let order = Order::new(mesh);
+    let (join, split) =
+        rayon::join(|| sweep(mesh, &order, Sweep::Up), || sweep(mesh, &order, Sweep::Down));
     let mut found = flats(mesh, least * least);
     let mut paired = vec![0_u32; mesh.vertices.len()];
     for (sweep, end) in [(&join, FeatureKind::Minimum), (&split, FeatureKind::Maximum)] {
@@ -71,7 +71,7 @@ pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
             }
         }
     }
-    for (v, multiplicity) in saddles(mesh, &rank).into_iter().enumerate() {
+    for (v, multiplicity) in saddles(mesh, &order.rank).into_iter().enumerate() {
         if multiplicity > paired[v] {
             found.push(Feature::at(mesh.vertices[v].z, FeatureKind::Saddle, f64::INFINITY));
         }
@@ -80,18 +80,58 @@ pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
     found
 }
 
-/// Position of each vertex in the order by (height, index), which breaks all ties.
-fn ranks(mesh: &Mesh) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..mesh.vertices.len() as u32).collect();
-    let z = |v: u32| mesh.vertices[v as usize].z;
-    rayon::slice::ParallelSliceMut::par_sort_unstable_by(order.as_mut_slice(), |&a, &b| {
-        z(a).total_cmp(&z(b)).then(a.cmp(&b))
-    });
-    let mut rank = vec![0; order.len()];
-    for (r, &v) in order.iter().enumerate() {
-        rank[v as usize] = r as u32;
+/// The vertices in the order by (height, index), which breaks all ties.
+struct Order {
+    /// Vertices, the lowest first.
+    vertices: Vec<u32>,
+    /// Position of each vertex.
+    rank: Vec<u32>,
+}
+
+impl Order {
+    fn new(mesh: &Mesh) -> Self {
+        // Numbers that sort like the heights (IEEE 754, totalOrder), with the index behind.
+        let key = |z: f64| {
+            let bits = z.to_bits();
+            bits ^ (((bits as i64 >> 63) as u64) | 1 << 63)
+        };
+        let mut keys: Vec<(u64, u32)> =
+            mesh.vertices.iter().zip(0..).map(|(v, i)| (key(v.z), i)).collect();
+        keys.par_sort_unstable();
+        let vertices: Vec<u32> = keys.into_iter().map(|(_, v)| v).collect();
+        let mut rank = vec![0; vertices.len()];
+        for (r, &v) in (0..).zip(&vertices) {
+            rank[v as usize] = r;
+        }
+        Self { vertices, rank }
     }
-    rank
+
+    /// When a vertex appears in the sweep: upwards its rank, downwards its rank from above.
+    fn turn(&self, v: u32, sweep: Sweep) -> u32 {
+        sweep.turn(self.rank[v as usize], self.vertices.len())
+    }
+
+    /// The vertex that appears at a turn of the sweep.
+    fn vertex(&self, turn: u32, sweep: Sweep) -> u32 {
+        self.vertices[sweep.turn(turn, self.vertices.len()) as usize]
+    }
+}
+
+/// The direction in which components are joined.
+#[derive(Clone, Copy)]
+enum Sweep {
+    Up,
+    Down,
+}
+
+impl Sweep {
+    /// Turns ranks into turns, and back again.
+    fn turn(self, rank: u32, count: usize) -> u32 {
+        match self {
+            Self::Up => rank,
+            Self::Down => (count - 1) as u32 - rank,
+        }
+    }
 }
 
 /// An extremum with the saddle at which its component joins an older one; None for the last.
@@ -100,43 +140,50 @@ struct Pair {
     saddle: Option<u32>,
 }
 
-/// Joins components along edges in the order given by `key(rank)`; pairs with zero persistence
+/// Joins components along edges in the order in which vertices appear; pairs with zero persistence
 /// (flat regions) are listed too, for they use up saddles.
-fn sweep(mesh: &Mesh, rank: &[u32], key: impl Fn(u32) -> u32) -> Vec<Pair> {
-    let at = |v: u32| key(rank[v as usize]);
-    let mut edges: Vec<(u32, u32)> = Vec::with_capacity(mesh.faces.len() * 3 / 2 + 1);
-    for (f, face) in mesh.faces.iter().enumerate() {
-        for i in 0..3 {
-            let other = mesh.neighbours[f][i];
-            if other == NO_FACE || other as usize > f {
-                let (a, b) = (face[i], face[(i + 1) % 3]);
-                edges.push(if at(a) < at(b) { (b, a) } else { (a, b) });
-            }
-        }
-    }
-    edges.sort_unstable_by_key(|&(late, early)| (at(late), at(early)));
-    let count = mesh.vertices.len();
-    let mut parent: Vec<u32> = (0..count as u32).collect();
+fn sweep(mesh: &Mesh, order: &Order, sweep: Sweep) -> Vec<Pair> {
+    let vertex = |turn: u32| order.vertex(turn, sweep);
+    let count = mesh.vertices.len() as u32;
+    // Components are sets of turns, each rooted at its oldest.
+    let mut parent: Vec<u32> = (0..count).collect();
     let mut pairs = Vec::new();
-    for (late, early) in edges {
+    for edge in edges(mesh, order, sweep) {
+        let (late, early) = ((edge >> 32) as u32, edge as u32);
         let (a, b) = (find(&mut parent, late), find(&mut parent, early));
         if a == b {
             continue;
         }
-        // A component is rooted at its oldest vertex.
-        let (elder, extremum) = if at(a) < at(b) { (a, b) } else { (b, a) };
+        let (elder, extremum) = (a.min(b), a.max(b));
         if extremum != late {
-            pairs.push(Pair { extremum, saddle: Some(late) });
+            pairs.push(Pair { extremum: vertex(extremum), saddle: Some(vertex(late)) });
         }
         parent[extremum as usize] = elder;
     }
     let used: Vec<bool> = used_vertices(mesh);
-    for v in 0..count as u32 {
-        if used[v as usize] && find(&mut parent, v) == v {
+    for turn in 0..count {
+        let v = vertex(turn);
+        if used[v as usize] && find(&mut parent, turn) == turn {
             pairs.push(Pair { extremum: v, saddle: None });
         }
     }
     pairs
+}
+
+/// The edges as they appear in a sweep, each one number: its later turn above its earlier one.
+fn edges(mesh: &Mesh, order: &Order, sweep: Sweep) -> Vec<u64> {
+    let mut edges: Vec<u64> = Vec::with_capacity(mesh.faces.len() * 3 / 2 + 1);
+    for (f, (face, neighbours)) in mesh.faces.iter().zip(&mesh.neighbours).enumerate() {
+        let turns = face.map(|v| u64::from(order.turn(v, sweep)));
+        for i in 0..3 {
+            if neighbours[i] == NO_FACE || neighbours[i] as usize > f {
+                let (a, b) = (turns[i], turns[(i + 1) % 3]);
+                edges.push(a.max(b) << 32 | a.min(b));
+            }
+        }
+    }
+    edges.par_sort_unstable();
+    edges
 }
 
 fn used_vertices(mesh: &Mesh) -> Vec<bool> {

@@ -215,8 +215,9 @@ struct Costs<'a> {
 }
 
 impl Costs<'_> {
-    /// Cost of the slab between two candidates, in seconds of printing.
-    fn slab(&self, i: usize, j: usize) -> f64 {
+    /// Cost of the slab between two candidates, in seconds of printing; None where its cheap parts
+    /// alone come to more than `limit`.
+    fn slab(&self, i: usize, j: usize, limit: f64) -> Option<f64> {
         let (p, (from, to)) = (self.params, (self.heights[i], self.heights[j]));
         let height = to - from;
         let spacing = self.head.clearance(height);
@@ -227,17 +228,22 @@ impl Costs<'_> {
         let turning = 0.5 * (lower.turning + upper.turning);
         // A chord of length s on curvature κ strays by κ·s²/12 in the mean.
         let sag = if length > 0.0 { spacing * spacing * turning / (12.0 * length) } else { 0.0 };
-        let (stray, leaning) = self.profile.deviation(from, to, LEAN * p.free_end);
-        let deviation = (stray + sag) / p.deviation_target;
         let low =
             if height < p.slab_min - 1e-9 { LOW_FINE * (1.0 - height / p.slab_min) } else { 0.0 };
         let even = 1e-3 * height * height;
-        time * (1.0 + deviation * deviation)
-            + self.skipped(from, to)
+        let fines = self.skipped(from, to)
             + WOBBLE_FINE * 0.5 * (wobble(lower, spacing) + wobble(upper, spacing))
-            + LEAN_FINE * leaning
             + low
-            + even
+            + even;
+        let cost = |stray: f64, leaning: f64| {
+            let deviation = (stray + sag) / p.deviation_target;
+            time * (1.0 + deviation * deviation) + fines + LEAN_FINE * leaning
+        };
+        if cost(0.0, 0.0) > limit {
+            return None;
+        }
+        let (stray, leaning) = self.profile.deviation(from, to, LEAN * p.free_end);
+        Some(cost(stray, leaning))
     }
 
     /// Fine for the wanted heights strictly inside.
@@ -273,17 +279,17 @@ fn cheapest_chain(
     let mut best = vec![(f64::INFINITY, 0_usize); count];
     best[0].0 = 0.0;
     for j in 1..count {
-        for i in (0..j).rev() {
-            let height = heights[j] - heights[i];
-            if height > params.slab_max + 1e-9 {
-                break;
-            }
-            if height < LOWEST * params.slab_min || !best[i].0.is_finite() {
+        let lowest = heights.partition_point(|&z| heights[j] - z > params.slab_max + 1e-9);
+        // The highest slabs come first: they are usually the cheapest, and bar the rest.
+        for i in lowest..j {
+            if heights[j] - heights[i] < LOWEST * params.slab_min || !best[i].0.is_finite() {
                 continue;
             }
-            let cost = best[i].0 + costs.slab(i, j);
-            if cost < best[j].0 {
-                best[j] = (cost, i);
+            let limit = best[j].0 - best[i].0;
+            if let Some(cost) = costs.slab(i, j, limit)
+                && cost <= limit
+            {
+                best[j] = (best[i].0 + cost, i);
             }
         }
     }

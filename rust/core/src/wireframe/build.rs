@@ -5,12 +5,14 @@
 //! support for what has no wall of its own below.
 
 use glam::{DVec2, DVec3};
+use rayon::prelude::*;
 
 use super::builder::{Builder, Course, SAME};
 use super::columns::{self, Wants};
 use super::curve::Curve;
 use super::posts::Post;
 use super::rim::Rim;
+use super::slab::Top;
 use super::strips::Strip;
 use super::{Kind, Layered, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
 use crate::contours::Contour;
@@ -18,8 +20,6 @@ use crate::head::Head;
 
 /// A contour printed on the bed follows the model to this, mm.
 const BED_FOLLOW: f64 = 0.05;
-/// A ring begins at a corner that turns by more than this, rad, within a millimetre.
-const SEAM_CORNER: f64 = 0.6;
 
 /// What stands at one height: the rims by contour, and the strands that close faces there.
 #[derive(Default)]
@@ -53,6 +53,8 @@ pub struct Build<'a> {
     pub(super) layered: &'a Layered,
     pub(super) p: &'a WireParams,
     pub(super) head: &'a Head,
+    /// What ends each slab.
+    pub(super) tops: &'a [Top],
     pub(super) out: Builder<'a>,
     pub(super) posts: Vec<PlacedPost>,
     pub(super) unprinted: Vec<Unprinted>,
@@ -88,7 +90,13 @@ fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Laid 
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(1.0, f64::max);
     let out = Builder::new(head, p.strand, head.clearance(tallest), low, high);
     let (posts, unprinted, wants) = (Vec::new(), Vec::new(), Wants::default());
-    let mut build = Build { sliced, layered, p, head, out, posts, unprinted, wants };
+    let slabs = 0..sliced.levels.len().saturating_sub(1);
+    let tops: Vec<Top> = slabs
+        .into_par_iter()
+        .map(|slab| Top::new(sliced, layered.slab(slab), head, slab))
+        .collect();
+    let tops = &tops;
+    let mut build = Build { sliced, layered, p, head, tops, out, posts, unprinted, wants };
     build.run();
     let Build { out, posts, unprinted, wants, .. } = build;
     Laid { posts, strands: out.strands, unprinted, wants }
@@ -98,7 +106,7 @@ impl Build<'_> {
     fn run(&mut self) {
         let Some(first) = self.sliced.levels.first() else { return };
         let mut ground = self.on_bed(first.z);
-        for slab in 0..self.sliced.levels.len() - 1 {
+        for slab in 0..self.tops.len() {
             self.roofs_of_slab(slab, &mut ground);
             let printed = self.slab(slab, &mut ground);
             ground = self.transition(slab + 1, printed);
@@ -147,8 +155,9 @@ impl Build<'_> {
         let at = self.out.at().map_or(DVec2::ZERO, DVec3::truncate);
         let off = |s: f64| curve.position(s).distance_squared(at);
         curve
-            .corners(SEAM_CORNER, 1.0)
-            .into_iter()
+            .corners()
+            .iter()
+            .copied()
             .min_by(|a, b| off(*a).total_cmp(&off(*b)))
             .unwrap_or_else(|| curve.nearest(at).s)
     }

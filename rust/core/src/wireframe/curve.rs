@@ -2,6 +2,13 @@
 
 use glam::DVec2;
 
+use super::segments::Segments;
+
+/// Turns of more than this within [`CORNER_REACH`] are corners, rad.
+const CORNER: f64 = 0.6;
+/// Reach over which a corner's turn is measured, mm.
+const CORNER_REACH: f64 = 1.0;
+
 /// Integrals of 1, x, y, x², xy and y² along a curve up to some arc length.
 #[derive(Debug, Clone, Copy, Default)]
 struct Moments {
@@ -82,6 +89,8 @@ pub struct Curve {
     /// Arc length at each point; one more entry than segments.
     at: Vec<f64>,
     moments: Vec<Moments>,
+    segments: Segments,
+    corners: Vec<f64>,
     closed: bool,
 }
 
@@ -115,7 +124,11 @@ impl Curve {
             at.push(s);
             moments.push(m);
         }
-        Some(Self { points: kept, at, moments, closed })
+        let segments = Segments::new(kept.array_windows::<2>().copied().collect());
+        let corners = Vec::new();
+        let mut curve = Self { points: kept, at, moments, segments, corners, closed };
+        curve.corners = curve.find_corners();
+        Some(curve)
     }
 
     /// Total length, mm.
@@ -165,18 +178,18 @@ impl Curve {
     /// The curve's point that is nearest to `p`.
     #[must_use]
     pub fn nearest(&self, p: DVec2) -> CurvePoint {
-        let mut best = (f64::INFINITY, CurvePoint { s: 0.0, position: self.points[0] });
-        for (i, pair) in self.points.windows(2).enumerate() {
-            let along = pair[1] - pair[0];
-            let t = ((p - pair[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            let q = pair[0] + along * t;
-            let distance = q.distance_squared(p);
-            if distance < best.0 {
-                let s = self.at[i] + t * (self.at[i + 1] - self.at[i]);
-                best = (distance, CurvePoint { s, position: q });
-            }
-        }
-        best.1
+        self.nearest_from(p, 0).0
+    }
+
+    /// As [`Self::nearest`], sooner where `guess` is the number of a segment not far away; gives
+    /// the segment's number, too.
+    #[must_use]
+    pub fn nearest_from(&self, p: DVec2, guess: usize) -> (CurvePoint, usize) {
+        // A curve has at least one segment.
+        let (i, t) =
+            self.segments.nearest(p, guess).map_or((0, 0.0), |near| (near.segment, near.t));
+        let s = self.at[i] + t * (self.at[i + 1] - self.at[i]);
+        (CurvePoint { s, position: self.points[i].lerp(self.points[i + 1], t) }, i)
     }
 
     /// Arc length from `from` forward to `to`, mm.
@@ -224,35 +237,41 @@ impl Curve {
         out
     }
 
-    /// Vertices where the direction turns by more than `angle` radians within `reach` mm: the
-    /// corners that want a post. Of neighbouring ones the sharpest is kept.
+    /// Arc lengths of the vertices where the direction turns by more than [`CORNER`] within
+    /// [`CORNER_REACH`]: the corners that want a post. Of neighbouring ones the sharpest is kept.
     #[must_use]
-    pub fn corners(&self, angle: f64, reach: f64) -> Vec<f64> {
+    pub fn corners(&self) -> &[f64] {
+        &self.corners
+    }
+
+    fn find_corners(&self) -> Vec<f64> {
         let count = self.points.len() - 1;
         let interior = if self.closed { 0..count } else { 1..count };
-        let mut found: Vec<(f64, f64)> = Vec::new();
-        for i in interior {
-            let (s, p) = (self.at[i], self.points[i]);
-            let back =
-                p - self.position(if self.closed { s - reach } else { (s - reach).max(0.0) });
-            let ahead = self.position(s + reach) - p;
-            let turn = back.perp_dot(ahead).atan2(back.dot(ahead)).abs();
-            if turn > angle {
-                found.push((s, turn));
-            }
-        }
         let mut kept: Vec<(f64, f64)> = Vec::new();
-        for corner in found {
+        for (s, cosine) in interior.map(|i| (self.at[i], self.bend(i))) {
+            if cosine >= CORNER.cos() {
+                continue;
+            }
             match kept.last_mut() {
-                Some(last) if corner.0 - last.0 < reach => {
-                    if corner.1 > last.1 {
-                        *last = corner;
+                Some(last) if s - last.0 < CORNER_REACH => {
+                    if cosine < last.1 {
+                        *last = (s, cosine);
                     }
                 }
-                _ => kept.push(corner),
+                _ => kept.push((s, cosine)),
             }
         }
         kept.into_iter().map(|(s, _)| s).collect()
+    }
+
+    /// Cosine of the turn at a vertex, between the points [`CORNER_REACH`] before and after it.
+    fn bend(&self, vertex: usize) -> f64 {
+        let (s, p) = (self.at[vertex], self.points[vertex]);
+        let before = s - CORNER_REACH;
+        let back = p - self.position(if self.closed { before } else { before.max(0.0) });
+        let ahead = self.position(s + CORNER_REACH) - p;
+        let lengths = (back.length_squared() * ahead.length_squared()).sqrt();
+        if lengths > 0.0 { back.dot(ahead) / lengths } else { 1.0 }
     }
 }
 
@@ -327,7 +346,7 @@ mod tests {
 
     #[test]
     fn corners_are_found_once() {
-        assert_eq!(square().corners(0.7, 1.0).len(), 4);
+        assert_eq!(square().corners().len(), 4);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use super::curve::Curve;
 use super::hatch::bridges;
 use super::level::HELD;
 use super::posts::{Post, even_spacing};
-use super::rim::{Rim, is_held};
+use super::rim::{Footing, Rim};
 use super::slab::gaps;
 use super::walls::Walls;
 use super::zigzag::{Placement, ZigzagInput, zigzag};
@@ -150,7 +150,8 @@ impl Build<'_> {
             printed.rims.iter().flatten().filter(|rim| rim.closed && rim.printed).collect();
         let plan: Vec<Vec<DVec2>> =
             rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
-        let held = |end: DVec2| is_held(&rings, end, HELD * self.p.strand);
+        let footing = Footing::new(&rings);
+        let held = |end: DVec2| footing.holds(end, HELD * self.p.strand);
         let (figure, spacing) = (curve.points(), self.p.cap_spacing);
         let lines = bridges(&plan, figure, spacing, self.p.span_limit, held)?;
         let rims: Vec<Rim> =

@@ -8,7 +8,7 @@ use super::curve::Curve;
 use super::hang::LEDGE;
 use super::hatch::hatch;
 use super::layered::closed_rim;
-use super::rim::{Rim, is_held, nearest_of};
+use super::rim::{Footing, Rim};
 use super::strips::Strip;
 use super::{Kind, Reason};
 use crate::contours::{Contour, polygon};
@@ -116,10 +116,10 @@ impl Build<'_> {
             .map(|curve| closed_rim(&curve, 0.0))
             .collect();
         let rims: Vec<&Rim> = rims.iter().collect();
+        let footing = Footing::new(&rims);
         curve.points().iter().all(|&p| {
             let around = below().filter(|c| c.closed && polygon::contains(&c.points, p)).count();
-            around % 2 == 1
-                || nearest_of(&rims, p).is_some_and(|f| f.distance < 0.5 * self.p.strand)
+            around % 2 == 1 || footing.nearest(p).is_some_and(|f| f.distance < 0.5 * self.p.strand)
         })
     }
 
@@ -180,7 +180,8 @@ impl Build<'_> {
             rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
         let longest = if on_bed { f64::INFINITY } else { self.p.span_limit };
         let whole = rings.iter().all(|rim| rim.gaps.is_empty());
-        let held = |end: DVec2| whole || is_held(&rings, end, HELD * self.p.strand);
+        let footing = Footing::new(&rings);
+        let held = |end: DVec2| whole || footing.holds(end, HELD * self.p.strand);
         let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest, held);
         let rims: Vec<Rim> = lines
             .into_iter()
@@ -212,8 +213,10 @@ impl Build<'_> {
 /// Whether a printed rim lies under the whole contour.
 fn follows(curve: &Curve, rim: &Rim, strand: f64) -> bool {
     let count = (curve.length() / strand).ceil().max(4.0) as usize;
+    let rims = [rim];
+    let footing = Footing::new(&rims);
     (0..count).all(|i| {
         let place = curve.position(curve.length() * i as f64 / count as f64);
-        nearest_of(&[rim], place).is_some_and(|f| f.distance < strand)
+        footing.nearest(place).is_some_and(|f| f.distance < strand)
     })
 }

@@ -12,6 +12,7 @@ mod layers;
 mod level;
 pub mod posts;
 pub mod rim;
+mod segments;
 mod slab;
 mod sliced;
 pub mod strips;

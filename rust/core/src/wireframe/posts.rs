@@ -8,7 +8,7 @@
 use glam::{DVec2, DVec3};
 
 use super::curve::{Curve, Station};
-use super::rim::{Rim, nearest_of};
+use super::rim::{Footing, Rim};
 use crate::head::Head;
 
 /// One upward stroke.
@@ -50,10 +50,6 @@ const EVEN: f64 = 0.6;
 const ALIGN: f64 = 1.2;
 /// A chain may leave gaps of up to this many ideal spacings before any gap is allowed.
 const WIDEST: f64 = 2.5;
-/// Turns of more than this within [`CORNER_REACH`] are corners, rad.
-const CORNER: f64 = 0.6;
-/// Reach over which a corner's turn is measured, mm.
-const CORNER_REACH: f64 = 1.0;
 
 /// Lists the candidates of a contour at height `z` from arc length `start` on, sorted by arc
 /// length; the first one is at the start, with its foothold on `from` if that is given. `on_peaks` keeps only those that stand on a rim vertex.
@@ -68,19 +64,21 @@ pub fn candidates(
     on_peaks: bool,
 ) -> Vec<Candidate> {
     let length = curve.length();
+    let footing = Footing::new(rims);
     let mut places: Vec<(f64, Option<DVec3>)> = vec![(0.0, from)];
     if !on_peaks {
         let count = (length / step).ceil().max(1.0);
         places.extend((1..count as usize).map(|i| (length * i as f64 / count, None)));
-        for corner in curve.corners(CORNER, CORNER_REACH) {
+        for &corner in curve.corners() {
             places.push((curve.forward(start, corner), None));
         }
         if !curve.is_closed() {
             places.push((length, None));
         }
     }
-    for &vertex in rims.iter().flat_map(|rim| &rim.points) {
-        if let Some(s) = above(curve, vertex, rims, step) {
+    let mut last = 0;
+    for vertex in footing.vertices() {
+        if let Some(s) = above(curve, vertex, &footing, step, &mut last) {
             let ahead = curve.forward(start, s);
             // Rounding may put the start itself a full lap ahead.
             let at_start = curve.is_closed() && length - ahead < 1e-6;
@@ -93,14 +91,22 @@ pub fn candidates(
     places.retain(|place| !on_peaks || place.1.is_some());
     places
         .into_iter()
-        .filter_map(|(s, vertex)| candidate(curve, z, start, s, vertex, rims))
+        .filter_map(|(s, vertex)| candidate(curve, z, start, s, vertex, &footing))
         .collect()
 }
 
 /// Arc length of the contour's point next to a rim vertex, if the two are each other's nearest.
-fn above(curve: &Curve, vertex: DVec3, rims: &[&Rim], step: f64) -> Option<f64> {
-    let place = curve.nearest(vertex.truncate());
-    let back = nearest_of(rims, place.position)?;
+/// `last` is the segment of the contour where the search begins, and ends.
+fn above(
+    curve: &Curve,
+    vertex: DVec3,
+    footing: &Footing,
+    step: f64,
+    last: &mut usize,
+) -> Option<f64> {
+    let (place, segment) = curve.nearest_from(vertex.truncate(), *last);
+    *last = segment;
+    let back = footing.nearest(place.position)?;
     (back.position.distance(vertex) < step).then_some(place.s)
 }
 
@@ -120,12 +126,12 @@ fn candidate(
     start: f64,
     s: f64,
     vertex: Option<DVec3>,
-    rims: &[&Rim],
+    footing: &Footing,
 ) -> Option<Candidate> {
     let place = curve.position(start + s);
     let (base, offset) = match vertex {
         Some(v) => (v, 0.0),
-        None => nearest_of(rims, place).map(|f| (f.position, f.offset))?,
+        None => footing.nearest(place).map(|f| (f.position, f.offset))?,
     };
     let post = Post { base, peak: place.extend(z), s };
     Some(Candidate { post, offset, spacing: 0.0 })
@@ -181,13 +187,15 @@ impl Chain<'_> {
                 if arc > widest.max(1.5 * all[i].spacing) {
                     break;
                 }
-                if best[i].0 + align >= best[j].0 || arc < all[i].spacing.max(all[j].spacing) {
+                // The cheap parts of the cost and of the test come first: most pairs fail there.
+                let bound = best[i].0 + align + self.uneven(i, arc);
+                if bound >= best[j].0
+                    || arc < all[i].spacing.max(all[j].spacing)
+                    || !reachable(self.head, &all[i].post, &all[j].post)
+                {
                     continue;
                 }
-                if !reachable(self.head, &all[i].post, &all[j].post) {
-                    continue;
-                }
-                let cost = best[i].0 + align + self.chord(i, &self.stations[j], arc);
+                let cost = bound + self.stray(i, &self.stations[j]);
                 if cost < best[j].0 {
                     best[j] = (cost, i);
                 }
@@ -216,17 +224,21 @@ impl Chain<'_> {
             return Some((rest / self.p.ideal).powi(2));
         }
         let free = reachable(self.head, &self.all[0].post, &last.post) && rest >= last.spacing;
-        (free && rest <= widest).then(|| self.chord(j, &self.end, rest))
+        (free && rest <= widest).then(|| self.uneven(j, rest) + self.stray(j, &self.end))
     }
 
-    /// Cost of the chord over `arc` mm from candidate `i`: how far it strays, how uneven it is.
-    fn chord(&self, i: usize, to: &Station, arc: f64) -> f64 {
+    /// Cost of a chord over `arc` mm from candidate `i` for its length.
+    fn uneven(&self, i: usize, arc: f64) -> f64 {
         let p = self.p;
-        let ideal = p.ideal.max(self.all[i].spacing);
-        let stray = self.stations[i].chord_error(to) / (p.ideal * p.chord_error * p.chord_error);
-        let uneven = arc / ideal - 1.0;
+        let uneven = arc / p.ideal.max(self.all[i].spacing) - 1.0;
         let over = (arc - p.span_limit).max(0.0) / p.ideal;
-        stray + EVEN * uneven * uneven + over * over
+        EVEN * uneven * uneven + over * over
+    }
+
+    /// Cost of the chord from candidate `i` for straying from the contour.
+    fn stray(&self, i: usize, to: &Station) -> f64 {
+        let p = self.p;
+        self.stations[i].chord_error(to) / (p.ideal * p.chord_error * p.chord_error)
     }
 }
 
@@ -249,18 +261,16 @@ pub fn place_by_averaging(
 ) -> Vec<Post> {
     let length = curve.length();
     let count = (length / ideal).round().max(1.0) as usize;
-    let projected: Vec<f64> = rims
-        .iter()
-        .flat_map(|rim| &rim.points)
-        .map(|v| curve.forward(start, curve.nearest(v.truncate()).s))
-        .collect();
+    let footing = Footing::new(rims);
+    let projected: Vec<f64> =
+        footing.vertices().map(|v| curve.forward(start, curve.nearest(v.truncate()).s)).collect();
     let mut posts: Vec<Post> = Vec::new();
     for i in 0..count {
         let even = length * i as f64 / count as f64;
         let gap = |p: &f64| signed_gap(curve, even, *p);
         let shift = projected.iter().map(gap).min_by(|a, b| a.abs().total_cmp(&b.abs()));
         let s = if i == 0 { 0.0 } else { even + 0.5 * shift.unwrap_or(0.0) };
-        let Some(next) = candidate(curve, z, start, s, None, rims).map(|c| c.post) else {
+        let Some(next) = candidate(curve, z, start, s, None, &footing).map(|c| c.post) else {
             continue;
         };
         let clear = |earlier: &Post| reachable(head, earlier, &next);
@@ -285,8 +295,12 @@ fn signed_gap(curve: &Curve, from: f64, to: f64) -> f64 {
 /// The contour's vertices between two peaks that a strand must follow to stay within `tolerance`.
 #[must_use]
 pub fn between(curve: &Curve, from: f64, arc: f64, tolerance: f64) -> Vec<DVec2> {
+    let inner = curve.arc_points(from, arc);
+    if inner.is_empty() {
+        return inner;
+    }
     let mut points = vec![curve.position(from)];
-    points.extend(curve.arc_points(from, arc));
+    points.extend(inner);
     points.push(curve.position(from + arc));
     let kept = super::curve::simplify(&points, tolerance);
     let inner = kept.len().saturating_sub(2);

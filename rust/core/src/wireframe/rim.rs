@@ -1,6 +1,10 @@
 //! Printed polylines: what the posts of the next slab stand on.
 
+use std::cell::Cell;
+
 use glam::{DVec2, DVec3};
+
+use super::segments::Segments;
 
 /// A printed polyline, open or closed.
 #[derive(Debug, Clone, Default)]
@@ -43,45 +47,53 @@ impl Rim {
             .filter(|i| self.gaps.is_empty() || self.gaps.binary_search(i).is_err())
             .map(move |i| (self.points[i], self.points[(i + 1) % count]))
     }
+}
 
-    /// The place on the rim that is horizontally nearest to `p`.
+/// Rims that carry posts, ready for many questions.
+pub struct Footing<'a> {
+    rims: &'a [&'a Rim],
+    /// The rim of each segment, and the segment's ends, mm.
+    of: Vec<(usize, [DVec3; 2])>,
+    segments: Segments,
+    /// Where the last answer lay: the next one is likely not far.
+    last: Cell<usize>,
+}
+
+impl<'a> Footing<'a> {
+    /// Lists the printed segments of the rims; a rim without any counts as its first vertex.
     #[must_use]
-    pub fn nearest(&self, p: DVec2) -> Option<Foothold> {
-        let mut best: Option<Foothold> = None;
-        let mut nearest = f64::INFINITY;
-        for (a, b) in self.segments() {
-            let (flat, along) = (a.truncate(), (b - a).truncate());
-            let (to_p, square) = (p - flat, along.length_squared());
-            // Most segments lie too far away, whatever their nearest point: no division for them.
-            let beside = to_p.length_squared() - square;
-            if beside > nearest * (nearest + 2.0 * square.sqrt()) {
-                continue;
-            }
-            let t = (to_p.dot(along) / square.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-            let distance = to_p.distance(along * t);
-            if distance < nearest {
-                nearest = distance;
-                let beside = if self.held { 0.0 } else { t.min(1.0 - t) };
-                let offset = beside * square.sqrt();
-                best = Some(Foothold { position: a.lerp(b, t), distance, offset });
+    pub fn new(rims: &'a [&'a Rim]) -> Self {
+        let mut of: Vec<(usize, [DVec3; 2])> = Vec::new();
+        for (i, rim) in rims.iter().enumerate() {
+            let before = of.len();
+            of.extend(rim.segments().map(|(a, b)| (i, [a, b])));
+            if of.len() == before {
+                of.extend(rim.points.first().map(|&only| (i, [only; 2])));
             }
         }
-        best.or_else(|| {
-            let only = self.points.first()?;
-            let distance = only.truncate().distance(p);
-            Some(Foothold { position: *only, distance, offset: 0.0 })
-        })
+        let segments = Segments::new(of.iter().map(|(_, e)| e.map(DVec3::truncate)).collect());
+        Self { rims, of, segments, last: Cell::new(0) }
     }
-}
 
-/// Whether something printed lies within `distance` mm of a place.
-#[must_use]
-pub fn is_held(rims: &[&Rim], place: DVec2, distance: f64) -> bool {
-    nearest_of(rims, place).is_some_and(|foothold| foothold.distance <= distance)
-}
+    /// The place on the rims that is horizontally nearest to `p`; None without rims.
+    #[must_use]
+    pub fn nearest(&self, p: DVec2) -> Option<Foothold> {
+        let near = self.segments.nearest(p, self.last.get())?;
+        self.last.set(near.segment);
+        let (rim, [a, b]) = self.of[near.segment];
+        let beside = if self.rims[rim].held { 0.0 } else { near.t.min(1.0 - near.t) };
+        let offset = beside * (b - a).truncate().length();
+        Some(Foothold { position: a.lerp(b, near.t), distance: near.square.sqrt(), offset })
+    }
 
-/// The nearest place on any of several rims.
-#[must_use]
-pub fn nearest_of(rims: &[&Rim], p: DVec2) -> Option<Foothold> {
-    rims.iter().filter_map(|rim| rim.nearest(p)).min_by(|a, b| a.distance.total_cmp(&b.distance))
+    /// Whether something printed lies within `distance` mm of a place.
+    #[must_use]
+    pub fn holds(&self, place: DVec2, distance: f64) -> bool {
+        self.nearest(place).is_some_and(|foothold| foothold.distance <= distance)
+    }
+
+    /// The vertices of all rims, mm.
+    pub fn vertices(&self) -> impl Iterator<Item = DVec3> + '_ {
+        self.rims.iter().flat_map(|rim| &rim.points).copied()
+    }
 }

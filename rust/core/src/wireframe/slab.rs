@@ -7,11 +7,12 @@ use super::builder::Course;
 use super::curve::Curve;
 use super::layered::{self, LayeredSlab, Piece};
 use super::posts::Post;
-use super::rim::{Rim, nearest_of};
+use super::rim::{Footing, Rim};
 use super::strips::Strip;
 use super::walls::Walls;
 use super::zigzag::{Step, ZigzagInput, zigzag};
-use super::{Kind, Pattern, PlacedPost, Reason};
+use super::{Kind, Pattern, PlacedPost, Reason, Sliced};
+use crate::head::Head;
 
 /// A contour printed in the air follows the model to this part of the strand's diameter.
 const FOLLOW: f64 = 0.5;
@@ -32,8 +33,8 @@ pub struct Job {
 /// A strip with more than this share of its area in plan leans more than it stands.
 const LEANING: f64 = 0.9;
 
-/// What all contours of one slab share.
-struct Top {
+/// What all contours at the top of one slab share; depends on the slices alone.
+pub struct Top {
     slab: usize,
     z: f64,
     /// The contours, and behind them the wire pieces of those that are layers in part.
@@ -46,6 +47,24 @@ struct Top {
 }
 
 impl Top {
+    /// Gathers the contours that end a slab; none of the curves is one that is all layers.
+    pub fn new(sliced: &Sliced, layers: Option<&LayeredSlab>, head: &Head, slab: usize) -> Self {
+        let z = sliced.levels[slab + 1].z;
+        let contours = sliced.lower[slab + 1].iter();
+        let mut curves: Vec<Option<Curve>> =
+            contours.map(|c| Curve::new(&c.points, c.closed)).collect();
+        let mut pieces = Vec::new();
+        if let Some(layers) = layers {
+            for i in all_layers(&sliced.strips[slab], layers) {
+                curves[i] = None;
+            }
+            pieces = layered::take_out(&mut curves, &layers.stretches);
+        }
+        let reach = head.clearance(z - sliced.levels[slab].z) * 1.1;
+        let walls = Walls::new(&curves, reach);
+        Self { slab, z, curves, pieces, walls, reach }
+    }
+
     /// The contour that a curve is, or is a piece of.
     fn contour(&self, curve: usize) -> usize {
         self.piece(curve).map_or(curve, |piece| piece.contour)
@@ -57,20 +76,29 @@ impl Top {
     }
 }
 
+/// The contours of a slab's top that are layers all around.
+fn all_layers<'a>(
+    strips: &'a [Strip],
+    layers: &'a LayeredSlab,
+) -> impl Iterator<Item = usize> + 'a {
+    let layered = layers.strips.iter().map(|&s| &strips[s as usize]);
+    layered.flat_map(|strip| strip.upper.iter().map(|&i| i as usize))
+}
+
 impl Build<'_> {
     /// Prints one slab; gives what stands at its top.
     pub(super) fn slab(&mut self, slab: usize, ground: &mut Ground) -> Ground {
-        let layers = self.layered.slab(slab);
+        let (layers, tops) = (self.layered.slab(slab), self.tops);
         self.out.begin_slab(slab as u32, layers.map_or(&[], |l| &l.lines));
-        let top = self.top(slab, layers);
+        let top = &tops[slab];
         let z = top.z;
         let mut printed = Ground { rims: vec![None; top.curves.len()], lines: Vec::new() };
-        let mut jobs = self.jobs(&top, &ground.rims);
-        self.print_crowded_rims(&top, &jobs, ground);
+        let mut jobs = self.jobs(top, &ground.rims);
+        self.print_crowded_rims(top, &jobs, ground);
         let (mut waiting, mut loose, mut bare) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(job) = self.next_job(&mut jobs, &ground.rims) {
             let Some(curve) = &top.curves[job.curve] else { continue };
-            let Some(standing) = self.posts_of(&top, &job, ground) else {
+            let Some(standing) = self.posts_of(top, &job, ground) else {
                 bare.push(job);
                 continue;
             };
@@ -79,44 +107,16 @@ impl Build<'_> {
             } else if layers.is_some() || self.in_the_way(curve, &jobs, &ground.rims, top.reach) {
                 waiting.push(standing);
             } else {
-                printed.rims[job.curve] = Some(self.ring(&top, &standing));
+                printed.rims[job.curve] = Some(self.ring(top, &standing));
             }
         }
         if let Some(layers) = layers {
-            self.layers(&top, layers, &mut printed);
+            self.layers(top, layers, &mut printed);
         }
-        self.rings(&top, waiting, &mut printed);
-        self.hang_rest(&top, loose, &bare, &mut printed);
-        self.join_pieces(&top, &mut printed);
+        self.rings(top, waiting, &mut printed);
+        self.hang_rest(top, loose, &bare, &mut printed);
+        self.join_pieces(top, &mut printed);
         printed
-    }
-
-    /// What all contours of a slab share; none of the curves is one that is all layers.
-    fn top(&self, slab: usize, layers: Option<&LayeredSlab>) -> Top {
-        let z = self.sliced.levels[slab + 1].z;
-        let contours = self.sliced.lower[slab + 1].iter();
-        let mut curves: Vec<Option<Curve>> =
-            contours.map(|c| Curve::new(&c.points, c.closed)).collect();
-        let mut pieces = Vec::new();
-        if let Some(layers) = layers {
-            for i in self.all_layers(slab, layers) {
-                curves[i] = None;
-            }
-            pieces = layered::take_out(&mut curves, &layers.stretches);
-        }
-        let reach = self.head.clearance(z - self.sliced.levels[slab].z) * 1.1;
-        let walls = Walls::new(&curves, reach);
-        Top { slab, z, curves, pieces, walls, reach }
-    }
-
-    /// The contours of a slab's top that are layers all around.
-    fn all_layers<'b>(
-        &'b self,
-        slab: usize,
-        layers: &'b LayeredSlab,
-    ) -> impl Iterator<Item = usize> + 'b {
-        let strips = layers.strips.iter().map(move |&s| &self.sliced.strips[slab][s as usize]);
-        strips.flat_map(|strip| strip.upper.iter().map(|&i| i as usize))
     }
 
     /// Prints the slab's layers: their tops stand in for the contours there.
@@ -124,7 +124,7 @@ impl Build<'_> {
         self.out.layers(&layers.lines);
         let contours = &self.sliced.lower[top.slab + 1];
         let curve = |i: usize| Curve::new(&contours[i].points, contours[i].closed);
-        for i in self.all_layers(top.slab, layers) {
+        for i in all_layers(&self.sliced.strips[top.slab], layers) {
             printed.rims[i] = curve(i).map(|curve| layered::closed_rim(&curve, top.z));
         }
         for piece in top.pieces.iter().filter(|piece| piece.curve.is_none()) {
@@ -220,7 +220,8 @@ impl Build<'_> {
     /// Begins a zigzag with a stroke that leans away from the region before it, and ends it with a
     /// diagonal down to the region behind it, each from the region's foot.
     fn slant(&self, steps: &mut Vec<Step>, curve: &Curve, piece: &Piece, carriers: &[&Rim]) {
-        let foot = |end: DVec2| nearest_of(carriers, end).map(|f| f.position);
+        let footing = Footing::new(carriers);
+        let foot = |end: DVec2| footing.nearest(end).map(|f| f.position);
         if let Some(first) = steps.first_mut().filter(|_| piece.meets[0])
             && let Some(base) = foot(curve.position(0.0))
             && base.distance(first.post.peak) <= self.p.free_end_limit

@@ -78,38 +78,35 @@ impl Walls {
 
     /// Distance from `place`, at arc length `s` of contour `wall`, to the nearest other wall: another
     /// contour, or a part of its own that is more than 2½ times `reach` away along it. Distances
-    /// beyond `reach` come back as infinity.
+    /// beyond `reach` come back as infinity, and so do those of a wall that is not listed.
     #[must_use]
     pub fn gap(&self, wall: usize, s: f64, place: DVec2, reach: f64) -> f64 {
+        let Some(&(length, closed)) = self.lengths.get(wall) else { return f64::INFINITY };
+        let s = if closed { s.rem_euclid(length) } else { s };
         let (column, row) = self.place(place);
         let columns = column.saturating_sub(1)..(column + 2).min(self.columns);
-        let mut nearest = f64::INFINITY;
+        let mut nearest = reach * reach;
         for row in row.saturating_sub(1)..(row + 2).min(self.rows) {
             // The cells of one row lie side by side in memory.
             let begin = self.begins[row * self.columns + columns.start] as usize;
             let end = self.begins[row * self.columns + columns.end] as usize;
             for &(other, at, p) in &self.samples[begin..end] {
-                let distance = p.distance(place);
-                if distance < reach.min(nearest)
+                let square = p.distance_squared(place);
+                if square < nearest
                     && (other as usize != wall || self.apart(wall, s, at) > 2.5 * reach)
                 {
-                    nearest = distance;
+                    nearest = square;
                 }
             }
         }
-        nearest
+        if nearest < reach * reach { nearest.sqrt() } else { f64::INFINITY }
     }
 
     /// Arc length between two places of one contour, the shorter way, mm.
     fn apart(&self, wall: usize, a: f64, b: f64) -> f64 {
         let (length, closed) = self.lengths[wall];
         let ahead = (a - b).abs();
-        if closed {
-            let ahead = ahead.rem_euclid(length);
-            ahead.min(length - ahead)
-        } else {
-            ahead
-        }
+        if closed { ahead.min(length - ahead) } else { ahead }
     }
 }
 
