@@ -36,6 +36,20 @@ def test_a_single_contour_model_is_one_continuous_strand(tmp_path, name):
     np.testing.assert_array_equal(strands[1:, 0], strands[:-1, 1])
 
 
+@pytest.mark.parametrize("overrides", [[], ["wire.caps=false"]])
+def test_single_contour_stretches_of_a_bunny_are_one_continuous_strand_each(shared, overrides):
+    mesh = load_mesh(shared / "models" / "bunny.stl", scale=792.372)
+    wire = wireframe(mesh, Settings.load(overrides=overrides))
+    plain = [len(strips) == 1 and strips[0][:2] == ([0], [0]) for strips in wire.strips]
+    # Where a contour splits at a slab's top, the pieces are printed on it one by one.
+    stretch = [k for k in range(len(plain) - 1) if plain[k] and plain[k + 1]]
+    assert len(stretch) > 15
+    for slab in stretch:
+        inside = np.flatnonzero(wire.strand_slabs == slab)
+        after = inside if slab - 1 in stretch else inside[1:]
+        np.testing.assert_array_equal(wire.strands[after, 0], wire.strands[after - 1, 1])
+
+
 @pytest.mark.parametrize("name", ["cube", "sphere", "bottle", "branch"])
 def test_no_diagonal_falls_steeper_than_the_flank(tmp_path, name):
     wire = wireframe(example(tmp_path, name), Settings.load())

@@ -206,8 +206,15 @@ class Scene:
         supersample: int,
         margins: tuple[float, float, float, float],
         ground: _Rgb | None,
-        small: bool = False,
     ) -> bytes: ...
+    def thumbnails(
+        self,
+        sizes: Sequence[tuple[int, int]],
+        camera: tuple[float, float, float],
+        *,
+        supersample: int,
+        margin: float,
+    ) -> list[bytes]: ...
 
 @final
 class Estimate:

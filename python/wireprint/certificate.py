@@ -299,10 +299,11 @@ def check(
 def settings_for(text: bytes, printer: str | Settings | None) -> Settings:
     """Return the settings to judge a text by: those given, those in the text, or the default."""
     from wireprint.gcode.document import settings_in
+
+    if printer is not None and not isinstance(printer, str):
+        return printer
     from wireprint.settings import Settings
 
-    if isinstance(printer, Settings):
-        return printer
     if printer is not None:
         return Settings.load(printer)
     return settings_in(text) or Settings.load()

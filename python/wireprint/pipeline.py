@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wireprint import report
+from wireprint.aside import Aside
 from wireprint.certificate import check
 from wireprint.files import written_whole
 from wireprint.gcode import document
@@ -235,12 +236,14 @@ def write_gcode(
 def _written(
     path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
 ) -> tuple[bytes, Estimate]:
-    thumbnails = _thumbnails(path, settings)
-    body = document.body(path, settings, date or document.dated(None), thumbnails, remarks)
-    body, estimate = document.timed(body, settings)
-    layers = body.count(b";LAYER_CHANGE\n")
+    # The pictures take as long as all the text: they are drawn beside it.
+    thumbnails = Aside(lambda: _thumbnails(path, settings))
+    text, estimate = document.timed(document.commands(path, settings), settings)
+    layers = text.count(b";LAYER_CHANGE\n")
     footer = document.footer(settings, estimate.filament_mm, estimate.total_s, layers)
-    return body + footer, estimate
+    date = date or document.dated(None)
+    header = document.header(settings, date, thumbnails.result(), remarks)
+    return b"".join((header, text, footer)), estimate
 
 
 def _thumbnails(path: Toolpath, settings: Settings) -> list[Thumbnail]:

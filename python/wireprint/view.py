@@ -408,18 +408,6 @@ def thumbnails(
     styles = [style_of(label) for label in strands.labels]
     objects = [style.colour if style.is_object else None for style in styles]
     scene.add_strands(strands, objects)
-    return [
-        (
-            width,
-            height,
-            scene.png(
-                (width, height),
-                CAMERAS["iso"],
-                supersample=2,
-                margins=(1.0,) * 4,
-                ground=None,
-                small=True,
-            ),
-        )
-        for width, height in sizes
-    ]
+    sizes = list(sizes)
+    pictures = scene.thumbnails(sizes, CAMERAS["iso"], supersample=2, margin=1.0)
+    return [(width, height, png) for (width, height), png in zip(sizes, pictures, strict=True)]

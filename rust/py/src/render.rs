@@ -190,9 +190,8 @@ impl Scene {
         Ok((PyBytes::new(py, &image.rgba), image.px_per_mm))
     }
 
-    /// Draw the picture as the bytes of a PNG file, of few colours where it shall be `small`.
-    #[expect(clippy::too_many_arguments, reason = "each is a keyword in Python")]
-    #[pyo3(signature = (size, camera, *, supersample, margins, ground, small = false))]
+    /// Draw the picture as the bytes of a PNG file.
+    #[pyo3(signature = (size, camera, *, supersample, margins, ground))]
     fn png<'py>(
         &self,
         py: Python<'py>,
@@ -201,11 +200,33 @@ impl Scene {
         supersample: usize,
         margins: [f64; 4],
         ground: Option<Rgb>,
-        small: bool,
     ) -> PyResult<Bound<'py, PyBytes>> {
         let image = self.draw(py, size, camera, supersample, margins, ground)?;
-        let bytes = detached(py, || if small { image.thumbnail_png() } else { image.png() })?;
+        let bytes = detached(py, || image.png())?;
         Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Draw pictures of few colours on a transparent ground, as the bytes of PNG files.
+    #[pyo3(signature = (sizes, camera, *, supersample, margin))]
+    fn thumbnails<'py>(
+        &self,
+        py: Python<'py>,
+        sizes: Vec<(usize, usize)>,
+        camera: (f64, f64, f64),
+        supersample: usize,
+        margin: f64,
+    ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
+        let frame = |(width, height)| Frame {
+            width,
+            height,
+            supersample,
+            margins: [margin; 4],
+            ground: None,
+        };
+        let frames: Vec<Frame> = sizes.into_iter().map(frame).collect();
+        let camera = view_from(camera);
+        let pictures = detached(py, || render::thumbnails(&self.core, &camera, &frames))?;
+        Ok(pictures.iter().map(|png| PyBytes::new(py, png)).collect())
     }
 }
 
@@ -214,18 +235,22 @@ impl Scene {
         &self,
         py: Python<'_>,
         (width, height): (usize, usize),
-        (azimuth, elevation, field_of_view): (f64, f64, f64),
+        camera: (f64, f64, f64),
         supersample: usize,
         margins: [f64; 4],
         ground: Option<Rgb>,
     ) -> PyResult<Image> {
         let frame = Frame { width, height, supersample, margins, ground };
-        let camera = Camera {
-            azimuth: azimuth.to_radians(),
-            elevation: elevation.to_radians(),
-            field_of_view: field_of_view.to_radians(),
-        };
-        detached(py, || render::render(&self.core, &camera, &frame))
+        detached(py, || render::render(&self.core, &view_from(camera), &frame))
+    }
+}
+
+/// A camera by its angles in degrees.
+fn view_from((azimuth, elevation, field_of_view): (f64, f64, f64)) -> Camera {
+    Camera {
+        azimuth: azimuth.to_radians(),
+        elevation: elevation.to_radians(),
+        field_of_view: field_of_view.to_radians(),
     }
 }
 

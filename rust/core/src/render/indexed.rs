@@ -4,8 +4,9 @@ use std::cmp::Reverse;
 
 /// Colours of a palette; more are not told apart at a thumbnail's size.
 const COLOURS: usize = 64;
-/// Colours that agree in these leading bits of each channel are averaged before they compete.
-const BITS: u32 = 4;
+/// Colours that agree in these leading bits of red, green, blue and alpha are averaged before they
+/// compete.
+const BITS: [u32; 4] = [4, 4, 4, 2];
 
 /// A picture of at most [`COLOURS`] colours.
 pub(super) struct Indexed {
@@ -33,7 +34,7 @@ impl Bucket {
 /// Reduces RGBA pixels to the most frequent colours; rare ones become the nearest of those.
 pub(super) fn reduce(rgba: &[u8]) -> Indexed {
     let pixels = rgba.as_chunks::<4>().0;
-    let mut buckets = vec![Bucket::default(); 1 << (4 * BITS)];
+    let mut buckets = vec![Bucket::default(); 1 << BITS.iter().sum::<u32>()];
     for pixel in pixels {
         let bucket = &mut buckets[bucket_of(*pixel)];
         bucket.count += 1;
@@ -56,7 +57,8 @@ pub(super) fn reduce(rgba: &[u8]) -> Indexed {
 }
 
 fn bucket_of(pixel: [u8; 4]) -> usize {
-    pixel.iter().fold(0, |key, channel| key << BITS | usize::from(channel >> (8 - BITS)))
+    let channels = pixel.into_iter().zip(BITS);
+    channels.fold(0, |key, (channel, bits)| key << bits | usize::from(channel >> (8 - bits)))
 }
 
 fn nearest(colours: &[[u8; 4]], wanted: [u8; 4]) -> u8 {

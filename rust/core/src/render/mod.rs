@@ -24,6 +24,8 @@ pub use image::{Frame, Image};
 pub use scene::{Facet, Rgb, Scene, Stroke, Width};
 pub use strands::Strands;
 
+use rayon::prelude::*;
+
 use crate::error::{CoreError, Result};
 
 /// Renders `scene` as `camera` sees it, fitted to the frame.
@@ -41,4 +43,12 @@ pub fn render(scene: &Scene, camera: &Camera, frame: &Frame) -> Result<Image> {
     let scenes: Vec<&Scene> = std::iter::once(scene).chain(&floor).collect();
     let projector = Projector::fit(camera, &scenes, frame);
     Ok(raster::paint(&scenes, &projector, frame))
+}
+
+/// Renders `scene` in every frame, as the bytes of small PNG files ([`Image::thumbnail_png`]).
+///
+/// # Errors
+/// As [`render`], and [`CoreError::Io`] where the encoder fails.
+pub fn thumbnails(scene: &Scene, camera: &Camera, frames: &[Frame]) -> Result<Vec<Vec<u8>>> {
+    frames.par_iter().map(|frame| render(scene, camera, frame)?.thumbnail_png()).collect()
 }

@@ -96,11 +96,16 @@ impl<'a> Screen<'a> {
         let side = SIDE * self.frame.supersample;
         let mut tile = Tile::new(side);
         for column in 0..self.frame.width.div_ceil(SIDE) {
+            let triangles = self.triangle_tiles.at(column, row);
+            let capsules = self.capsule_tiles.at(column, row);
+            if triangles.is_empty() && capsules.is_empty() && self.shader.ground().is_none() {
+                continue;
+            }
             tile.clear((column * side) as f32, (row * side) as f32);
-            for &index in self.triangle_tiles.at(column, row) {
+            for &index in triangles {
                 tile.draw_triangle(&self.triangles[index as usize], index);
             }
-            for &index in self.capsule_tiles.at(column, row) {
+            for &index in capsules {
                 let sight = self.triangles.len() as Sight + index;
                 tile.draw_capsule(&self.capsules[index as usize], sight);
             }
@@ -116,8 +121,14 @@ impl<'a> Screen<'a> {
             let pixels = line[columns.start * 4..columns.end * 4].chunks_exact_mut(4);
             for (x, pixel) in pixels.enumerate() {
                 let (mut sum, mut covered) = (Vec3::ZERO, 0.0_f32);
+                let mut last: Option<(Sight, Option<Vec3>)> = None;
                 for index in tile.samples(x * ss, y * ss, ss) {
-                    if let Some(colour) = self.colour(tile, index) {
+                    let sight = tile.sights[index];
+                    // Neighbouring samples that see the same thing share its light.
+                    let shared = last.filter(|(seen, _)| *seen == sight);
+                    let colour = shared.map_or_else(|| self.colour(tile, index), |(_, c)| c);
+                    last = Some((sight, colour));
+                    if let Some(colour) = colour {
                         sum += colour;
                         covered += 1.0;
                     }

@@ -31,6 +31,9 @@ pub struct Candidate {
     pub offset: f64,
     /// Least arc length to the next post, mm: more than the head asks where walls come close.
     pub spacing: f64,
+    /// How near the nearest other wall comes, relative to the head's clearance; infinite where
+    /// none is within it.
+    pub room: f64,
 }
 
 /// What the placing of posts depends on; lengths in mm.
@@ -134,7 +137,7 @@ fn candidate(
         None => footing.nearest(place).map(|f| (f.position, f.offset))?,
     };
     let post = Post { base, peak: place.extend(z), s };
-    Some(Candidate { post, offset, spacing: 0.0 })
+    Some(Candidate { post, offset, spacing: 0.0, room: f64::INFINITY })
 }
 
 /// Whether the head can print down from the peak of `from` to the base of `to` and up again.

@@ -64,7 +64,7 @@ const ROOM: f64 = 1.12;
 /// Walls nearer than this part of the clearance leave no room for diagonals between the posts.
 const DIAGONAL_ROOM: f64 = 0.6;
 /// Finest spacing of candidates, mm.
-const FINEST: f64 = 0.8;
+const FINEST: f64 = 1.2;
 
 /// Posts of one contour in printing order, and the arc length where their chain begins: at
 /// `input.start` unless no free candidate is there.
@@ -82,7 +82,7 @@ pub fn zigzag(
         let free = posts.into_iter().filter(|post| is_free(post));
         return (start, free.map(|post| Step { post, linked: true }).collect());
     }
-    let step = FINEST.max(least / 8.0);
+    let step = FINEST.max(least / 6.0);
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
     let mut all = candidates(curve, z, start, input.from, rims, step, input.on_peaks);
     let crowd = crowd(input, &mut all, least);
@@ -104,7 +104,8 @@ fn crowd(input: &ZigzagInput, all: &mut [Candidate], least: f64) -> f64 {
         let gap = input.walls.gap(input.wall, input.start + c.post.s, place, least);
         if gap < least {
             c.spacing = 2.0 * (least * least - gap * gap).sqrt() * ROOM;
-            nearest = nearest.min(gap / least);
+            c.room = gap / least;
+            nearest = nearest.min(c.room);
         }
     }
     nearest
@@ -122,9 +123,14 @@ fn chain(
         PostParams { ideal, chord_error: 0.5 * input.strand, span_limit: input.span_limit };
     let posts = place(input.curve, start, all, head, &params);
     let settled = if crowd < 1.0 { settle(&posts, all, head) } else { posts };
+    let roomy = |post: &Post| {
+        let i = all.partition_point(|c| c.post.s < post.s);
+        all.get(i).is_some_and(|c| c.room >= DIAGONAL_ROOM)
+    };
     let mut steps: Vec<Step> = Vec::with_capacity(settled.len());
     for post in settled {
-        let linked = crowd >= DIAGONAL_ROOM
+        let linked = roomy(&post)
+            && steps.last().is_some_and(|last| roomy(&last.post))
             && steps.last().is_some_and(|last: &Step| reachable(head, &last.post, &post));
         steps.push(Step { post, linked });
     }

@@ -1,0 +1,171 @@
+"""Settings that were validated before, recalled from the user's cache.
+
+Loading pydantic and building its validators takes longer than a small model's wire print. So the
+command keeps what validation gave, beside the very text that it was given: profiles, files, single
+keys, and the code that defines the settings. Where all of it is the same again, so is the outcome.
+Whatever asks a recalled group for more than its values gets the real one, made then.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import zlib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+from wireprint import catalogue
+from wireprint._core import WireprintError, __version__
+from wireprint.files import written_whole
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping
+
+    from wireprint.settings import Section, Settings
+
+#: The cache holds at most this many outcomes; a new one replaces the one in its place.
+PLACES = 64
+#: What the outcome depends on besides the settings' own text.
+_CODE = tuple(Path(__file__).with_name(name) for name in ("settings.py", "_compose.py"))
+
+
+def settings(
+    printer: str, material: str, load: Iterable[str | Path], overrides: Iterable[str]
+) -> Settings:
+    """Compose settings as `Settings.load` does, from the cache where it knows them.
+
+    Raises
+    ------
+    SettingError
+        As `Settings.load`.
+    """
+    load, overrides = tuple(load), tuple(overrides)
+    key = _key(printer, material, load, overrides)
+    if key is None:
+        return _validated(printer, material, load, overrides)
+    place = _folder() / f"settings-{zlib.crc32(key.encode()) % PLACES}.json"
+    values = _read(place, key)
+    if values is None:
+        found = _validated(printer, material, load, overrides)
+        _keep(place, key, found)
+        return found
+    return cast(
+        "Settings", Recalled(values, lambda: _validated(printer, material, load, overrides))
+    )
+
+
+class Recalled:
+    """A group of settings by its plain values; stands in for a `Section`.
+
+    Parameters
+    ----------
+    values
+        ``fields``: the group's own values; ``derived``: those of its properties. Groups within
+        are mappings of the same form.
+    real
+        Makes the section itself.
+    """
+
+    def __init__(self, values: Mapping[str, Any], real: Callable[[], Any]) -> None:
+        self._fields = {
+            name: self._value(name, value, real) for name, value in values["fields"].items()
+        }
+        self._derived = {name: _tuples(value) for name, value in values["derived"].items()}
+        self._real = real
+
+    @staticmethod
+    def _value(name: str, value: Any, real: Callable[[], Any]) -> Any:
+        if isinstance(value, dict):
+            return Recalled(value, lambda: getattr(real(), name))
+        return _tuples(value)
+
+    def __getattr__(self, name: str) -> Any:
+        """Return a value; where it is none, what the section itself has."""
+        if name in self._fields:
+            return self._fields[name]
+        if name in self._derived:
+            return self._derived[name]
+        return getattr(self._real(), name)
+
+    def __str__(self) -> str:
+        """Say what the section says."""
+        return str(self._real())
+
+    def model_dump(self, **options: Any) -> dict[str, Any]:
+        """Return the values as `pydantic.BaseModel.model_dump` does."""
+        if options:
+            return cast("dict[str, Any]", self._real().model_dump(**options))
+        return {
+            name: value.model_dump() if isinstance(value, Recalled) else value
+            for name, value in self._fields.items()
+        }
+
+
+def plain(section: Section) -> dict[str, Any]:
+    """Return a section's values in the form that `Recalled` takes, in JSON's types."""
+    from wireprint.settings import Section
+
+    kind = type(section)
+    fields = {name: getattr(section, name) for name in kind.model_fields}
+    bases = kind.__mro__[: kind.__mro__.index(Section)]
+    derived = {
+        name: getattr(section, name)
+        for base in bases
+        for name, value in vars(base).items()
+        if isinstance(value, property)
+    }
+    return {
+        "fields": {
+            name: plain(value) if isinstance(value, Section) else value
+            for name, value in fields.items()
+        },
+        "derived": derived,
+    }
+
+
+def _tuples(value: Any) -> Any:
+    """Return JSON's lists as the tuples that they were."""
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
+def _validated(
+    printer: str, material: str, load: Iterable[str | Path], overrides: Iterable[str]
+) -> Settings:
+    from wireprint.settings import Settings
+
+    return Settings.load(printer, material, load, overrides)
+
+
+def _key(
+    printer: str, material: str, load: Iterable[str | Path], overrides: Iterable[str]
+) -> str | None:
+    """Return all that the outcome depends on; None where it cannot be read."""
+    try:
+        profiles = (catalogue.find("printers", printer), catalogue.find("materials", material))
+        texts = [Path(path).read_text(encoding="utf-8") for path in (*_CODE, *profiles, *load)]
+    except (WireprintError, OSError, ValueError):
+        return None
+    return json.dumps([__version__, printer, material, texts, list(overrides)])
+
+
+def _folder() -> Path:
+    base = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
+    return Path(base or os.path.expanduser("~/.cache")) / "wireprint"
+
+
+def _read(place: Path, key: str) -> dict[str, Any] | None:
+    try:
+        kept = json.loads(place.read_bytes())
+        return cast("dict[str, Any]", kept["values"]) if kept["key"] == key else None
+    except (OSError, ValueError, LookupError, TypeError):
+        return None
+
+
+def _keep(place: Path, key: str, found: Settings) -> None:
+    """Write an outcome to its place; a cache that cannot be written to is done without."""
+    text = json.dumps({"key": key, "values": plain(found)})
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        written_whole(place, text.encode())
+    except (OSError, WireprintError):
+        return
