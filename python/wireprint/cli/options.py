@@ -113,6 +113,13 @@ class Chosen:
         printer, material = self.printer or PRINTER, self.material or MATERIAL
         return Settings.load(printer, material, self.load, self.overrides)
 
+    def recalled(self) -> Settings:
+        """Compose the settings as `settings` does, for one who does no more than read them."""
+        from wireprint import _recall
+
+        printer, material = self.printer or PRINTER, self.material or MATERIAL
+        return _recall.settings(printer, material, self.load, self.overrides)
+
     def over(self, settings: Settings) -> Settings:
         """Lay what was chosen over other settings, such as a project's."""
         return settings.but(self.printer, self.material, self.load, self.overrides)

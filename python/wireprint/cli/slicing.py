@@ -62,7 +62,7 @@ def slice_models(
     chosen, marks = chosen_from(options), marks_from(options)
     job = Job(
         chosen,
-        chosen.settings(),
+        chosen.recalled(),
         marks,
         options,
         force=force,

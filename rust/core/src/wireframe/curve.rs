@@ -124,7 +124,7 @@ impl Curve {
             at.push(s);
             moments.push(m);
         }
-        let segments = Segments::new(kept.array_windows::<2>().copied().collect());
+        let segments = Segments::new(kept.windows(2).map(|pair| [pair[0], pair[1]]).collect());
         let corners = Vec::new();
         let mut curve = Self { points: kept, at, moments, segments, corners, closed };
         curve.corners = curve.find_corners();
