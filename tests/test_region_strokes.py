@@ -186,9 +186,19 @@ def test_a_wrong_document_is_refused_with_its_place(content, complaint, tmp_path
 def test_a_document_that_is_missing_or_too_large_is_refused(tmp_path):
     with pytest.raises(SettingError, match="No such file"):
         document.read(tmp_path / "missing.json")
-    (tmp_path / "large.json").write_bytes(b" " * (document.MOST_BYTES + 1))
-    with pytest.raises(SettingError, match="more than"):
-        document.read(tmp_path / "large.json")
+    for content in (b" " * (document.MOST_BYTES + 1), b"," * (document.MOST_COMMAS + 1)):
+        (tmp_path / "large.json").write_bytes(content)
+        with pytest.raises(SettingError, match=r"large\.json: has more than"):
+            document.read(tmp_path / "large.json")
+
+
+def test_what_could_not_be_read_again_is_not_written():
+    long = Stroke(points_mm=[(0, 0, 0)] * 10_000, normals=[(0, 0, 1)], radius_mm=1)
+    region = Region()
+    for _ in range(40):
+        region = region.add(long)
+    with pytest.raises(SettingError, match="the region: has more than"):
+        document.to_json(region)
 
 
 @given(marks=marks)

@@ -29,8 +29,9 @@ from threemf_files import (
 from wireprint._core import ModelError, WireprintError
 from wireprint.mesh import load_mesh
 from wireprint.model import load_marks, load_model
+from wireprint.pipeline import make
 from wireprint.project import RELATIONSHIP, write_project
-from wireprint.regions import Region, ZRange
+from wireprint.regions import Mask, Region, ZRange
 from wireprint.settings import Settings
 from wireprint.threemf.paint import decoded
 
@@ -112,6 +113,24 @@ def test_a_painted_file_covers_what_its_leaves_cover(attribute, paint, seed, tmp
             if inside(point, triangle, 1e-6) is not False
         ]
         assert found in marked or not marked
+
+
+def test_a_painted_file_gives_the_runs_of_the_mask_it_stands_for(tmp_path):
+    deep = [1, 2, [0, 4, [2, 0, 1], 3], 0]
+    paint = {face: [0, 3, 0, deep, 1] for face in range(4, 8)} | {8: 1, 9: [2, 0, deep]}
+    attributes = {face: f'paint_color="{encoded(tree)}"' for face, tree in paint.items()}
+    model = load_model(write_3mf(tmp_path / "a.3mf", cube_object(31, attributes=attributes)))
+    corners = [31 * CUBE[list(face)] for face in CUBE_FACES]
+    parts = [leaf for i, three in enumerate(corners) for leaf in leaves(paint.get(i, 0), [*three])]
+    vertices = np.array([triangle for triangle, _ in parts]).reshape(-1, 3)
+    faces = np.arange(len(vertices)).reshape(-1, 3)
+    mask = Mask(vertices=vertices, faces=faces, marked=np.array([s > 0 for _, s in parts]))
+    region = Region().add(mask).transformed(model.mesh.placement)
+    chosen = Settings.load()
+    painted, marked = (make(model.mesh, chosen, marks) for marks in (model.region, region))
+    assert painted.figures()["regions"]["runs"]
+    assert painted.figures()["regions"] == marked.figures()["regions"]
+    assert painted.gcode == marked.gcode
 
 
 def test_paint_follows_copies_components_and_mirrors(tmp_path):

@@ -10,10 +10,10 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import BaseModel, ConfigDict, Field
 
-from wireprint._core import Mesh, ModelError
+from wireprint._core import Mesh, ModelError, SettingError
 from wireprint.files import written_whole
 from wireprint.regions import Region
-from wireprint.regions.document import Document, validated
+from wireprint.regions.document import MOST_BYTES, Document, check_size, validated
 from wireprint.settings import Settings
 from wireprint.threemf import write
 from wireprint.threemf.archive import Archive
@@ -23,8 +23,6 @@ from wireprint.threemf.scene import related_part
 PART: Final = "Metadata/wireprint.json"
 CONTENT_TYPE: Final = "application/vnd.wireprint.project+json"
 RELATIONSHIP: Final = "urn:wireprint:project"
-#: Most bytes of that part: a mask of a million triangles.
-MOST_BYTES: Final = 1 << 25
 
 
 _Index = Annotated[int, Field(ge=0, lt=2**32)]
@@ -68,7 +66,7 @@ def write_project(path: str | Path, mesh: Mesh, settings: Settings, region: Regi
     Raises
     ------
     SettingError
-        The region has a predicate, or too many marks.
+        The region has a predicate, or is too large.
     """
     saved = Saved(
         mesh_sha256=_digest(mesh.vertices, mesh.faces),
@@ -76,7 +74,8 @@ def write_project(path: str | Path, mesh: Mesh, settings: Settings, region: Regi
         settings=settings.model_dump(mode="json"),
         strokes=Document.of(region),
     )
-    content = saved.model_dump_json(indent=1, exclude_none=False).encode()
+    content = saved.model_dump_json(indent=1).encode()
+    check_size(content, "the project", SettingError)
     part = write.Extra(PART, CONTENT_TYPE, RELATIONSHIP, content)
     written_whole(Path(path), write.package(mesh, part))
 
@@ -92,12 +91,12 @@ def read_saved(archive: Archive) -> Saved | None:
     name = related_part(archive, RELATIONSHIP)
     if name is None:
         return None
-    content = b""
+    place, content = f"{archive.path}: {name.removeprefix('/')}", bytearray()
     for chunk in archive.chunks(name):
         content += chunk
         if len(content) > MOST_BYTES:
-            raise ModelError(f"{archive.path}: {name} has more than {MOST_BYTES} bytes")
-    return validated(Saved, content, f"{archive.path}: {name}", ModelError)
+            break
+    return validated(Saved, bytes(content), place, ModelError)
 
 
 def _paired(mesh: Mesh) -> tuple[tuple[int, int, int], ...]:

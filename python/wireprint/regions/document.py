@@ -15,8 +15,11 @@ Model = TypeVar("Model", bound=BaseModel)
 
 #: Most marks of a region.
 MOST_MARKS = 10_000
-#: Most bytes of a file: a mask of a million triangles.
-MOST_BYTES = 1 << 25
+#: Most bytes of a file: a mask of two million triangles.
+MOST_BYTES = 1 << 26
+#: Most commas, and so nearly most numbers, which take far more memory than their text does. A
+#: mask's triangles are one string.
+MOST_COMMAS = 1 << 20
 
 AnyShape = Annotated[Box | Sphere | HalfSpace | ZRange | Stroke | Mask, Field(discriminator="kind")]
 #: A number of a matrix; its scale is a unit's at most.
@@ -76,10 +79,11 @@ def to_json(region: Region) -> bytes:
     Raises
     ------
     SettingError
-        It has a predicate, or too many marks.
+        It has a predicate, or is too large.
     """
-    text = Document.of(region).model_dump_json(indent=1, exclude_none=True)
-    return text.encode() + b"\n"
+    content = Document.of(region).model_dump_json(indent=1, exclude_none=True).encode() + b"\n"
+    check_size(content, "the region", SettingError)
+    return content
 
 
 def from_json(content: bytes, place: str) -> Region:
@@ -97,8 +101,6 @@ def from_json(content: bytes, place: str) -> Region:
     SettingError
         It is too large, no JSON, of another version, or a number is out of its bounds.
     """
-    if len(content) > MOST_BYTES:
-        raise SettingError(f"{place}: has more than {MOST_BYTES} bytes")
     return validated(Document, content, place).region()
 
 
@@ -117,10 +119,20 @@ def read(path: Path) -> Region:
         raise SettingError(f"{path}: {error.strerror}") from error
 
 
+def check_size(content: bytes, place: str, fault: type[WireprintError]) -> None:
+    """Refuse JSON that would take too much memory."""
+    if len(content) > MOST_BYTES:
+        raise fault(f"{place}: has more than {MOST_BYTES} bytes")
+    if content.count(b",") > MOST_COMMAS:
+        raise fault(f"{place}: has more than {MOST_COMMAS} numbers")
+
+
 def validated(
     model: type[Model], value: bytes | Any, place: str, fault: type[WireprintError] = SettingError
 ) -> Model:
     """Validate JSON or Python data; the first error becomes a `fault` that tells where it is."""
+    if isinstance(value, bytes):
+        check_size(value, place, fault)
     try:
         if isinstance(value, bytes):
             return model.model_validate_json(value)
