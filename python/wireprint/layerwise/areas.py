@@ -153,4 +153,4 @@ def _by_layer(
     order = np.argsort(group, kind="stable")
     if len(filled):
         result[filled] = shapely.multipolygons(parts[order], indices=group[order])
-    return result
+    return sound(result)

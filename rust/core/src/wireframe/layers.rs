@@ -56,11 +56,16 @@ fn blank(sliced: &Sliced, thickness: f64) -> Vec<Layer> {
             slab: slab as u32,
             z: if i == count { ends[1].z } else { ends[0].z + height * i as f64 / count as f64 },
             thickness: height / count as f64,
-            contours: if i == count { sliced.lower[slab + 1].clone() } else { Vec::new() },
+            contours: if i == count { model(&sliced.lower[slab + 1]) } else { Vec::new() },
             strips: Vec::new(),
         }));
     }
     layers
+}
+
+/// The contours that are the model's; supports come after them.
+fn model(contours: &[Contour]) -> Vec<Contour> {
+    contours.iter().filter(|contour| !contour.support).cloned().collect()
 }
 
 /// Where a layer is cut: at its height, in proportion where its slab's ends are cut elsewhere.
@@ -131,7 +136,9 @@ fn owners(
     let mut found = vec![None; contours];
     for (number, strip) in (0..).zip(strips) {
         for &contour in end(strip) {
-            found[contour as usize] = Some(number);
+            if let Some(owner) = found.get_mut(contour as usize) {
+                *owner = Some(number);
+            }
         }
     }
     found
