@@ -83,6 +83,7 @@ _REGION_HELP: Final = {
     "in_the_way": "mark the wire near to it too, or print with lower slabs",
     "overhang": "turn the model, or mark less of what hangs over",
     "wide_bridge": "raise regions.infill_density, or mark what is below it too",
+    "no_room": "turn or move the model away from the edge of the bed",
     "unproved": "mark less, or something simpler",
 }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from wireprint.hybrid.plan import Plan
 from wireprint.stages import toolpath, wireframe
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
+
     from wireprint._core import Mesh, Toolpath, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.regions import Region
@@ -28,6 +30,7 @@ _REASONS: Final = {
     "floating_starts": "overhang",
     "dangling_ends": "overhang",
     "spans_over": "wide_bridge",
+    "out_of_bounds": "no_room",
 }
 #: Where each kind of breach is.
 _PLACES: Final = {
@@ -35,6 +38,7 @@ _PLACES: Final = {
     "floating_starts": "at_mm",
     "dangling_ends": "at_mm",
     "spans_over": "from_mm",
+    "out_of_bounds": "at_mm",
 }
 
 
@@ -47,6 +51,23 @@ class Proved:
     toolpath: Toolpath
     #: How many prints were tried.
     rounds: int
+
+    @property
+    def runs(self) -> dict[str, npt.NDArray[Any]]:
+        """The runs of zigzag sections that are layers, as arrays of shape (R,).
+
+        ``slab`` and ``contour`` (in the slice at the slab's top, as in
+        `Wireframe.contours_below`; −1 where the strip has none, or several), int64; ``from_mm``
+        and ``to_mm`` along that contour and ``area_mm2`` of the surface, float64.
+        """
+        runs = self.plan.sections
+        return {
+            "slab": np.array([run.slab for run in runs], np.int64),
+            "contour": np.array([run.contour for run in runs], np.int64),
+            "from_mm": np.array([run.from_mm for run in runs], np.float64),
+            "to_mm": np.array([run.to_mm for run in runs], np.float64),
+            "area_mm2": np.array([run.area_mm2 for run in runs], np.float64),
+        }
 
     @property
     def layer_wise_mm(self) -> float:
@@ -98,8 +119,6 @@ def _blamed(plan: Plan, verdict: Certificate, settings: Settings) -> dict[int, s
     centre = np.array([*settings.printer.bed.centre_mm, 0.0])
     blamed: dict[int, str] = {}
     for name, breaches in verdict.breaches().items():
-        if name not in _REASONS:
-            continue
         for breach in breaches:
             place = np.array(getattr(breach, _PLACES[name])) - centre
             nearest = painted[np.argmin(np.sum((middles - place) ** 2, axis=1))]
