@@ -44,8 +44,31 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
             f"{part['area_mm2']:.0f} mm² at z {part['low_mm']:.1f}–{part['high_mm']:.1f} mm "
             f"({part['reason'].replace('_', ' ')}): {part['help']}",
         )
+    if "regions" in figures:
+        yield from _of_regions(figures["regions"])
     for sentence in figures["warnings"]:
         yield _row("note", sentence)
+
+
+def _of_regions(regions: Mapping[str, Any]) -> Iterator[str]:
+    count = len(regions["runs"])
+    yield _row(
+        "layers",
+        f"{regions['layer_wise_mm'] / 1000:.2f} m in {count} runs on {regions['area_mm2']:.0f} mm²"
+        if count
+        else "none: no marked stretch is half of a slab high and long enough",
+    )
+    by_reason: dict[str, list[Mapping[str, Any]]] = {}
+    for run in regions["dropped"]:
+        by_reason.setdefault(run["reason"], []).append(run)
+    for reason, runs in by_reason.items():
+        x, y, z = runs[0]["place_mm"]
+        yield _row(
+            "stays wire",
+            f"{sum(run['area_mm2'] for run in runs):.0f} mm² in {len(runs)} runs "
+            f"({reason.replace('_', ' ')}), first at ({x:.1f}, {y:.1f}, {z:.1f}): "
+            f"{runs[0]['help']}",
+        )
 
 
 def _row(name: str, text: str) -> str:
