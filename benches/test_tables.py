@@ -43,6 +43,15 @@ def test_the_certificates_have_a_row_for_each_model_with_the_reason_where_one_fa
     assert any(line.startswith("1 of 2 models; 1 without a breach") for line in lines)
 
 
+def test_the_cost_has_a_row_for_each_size_of_each_model(tmp_path):
+    target = tmp_path / "cost.md"
+    command = [sys.executable, BENCHES / "cost.py", "-o", target, "--most", "1000"]
+    subprocess.run(command, check=True, capture_output=True)
+    rows = [cells(line) for line in target.read_text().splitlines() if line.startswith("|")]
+    assert [row[0] for row in rows[2:]] == ["vase", "pins"]
+    assert all(int(row[1]) > 500 for row in rows[2:])
+
+
 def test_curas_prints_are_judged_at_either_angle(tmp_path):
     ready = shared_models.SHARED.is_dir() and "CURA_DEFS_HOME" in os.environ
     if not ready or not shutil.which("CuraEngine"):

@@ -14,8 +14,8 @@ use super::posts::Post;
 use super::rim::Rim;
 use super::slab::Top;
 use super::strips::Strip;
+use super::waiting::Waiting;
 use super::{Kind, Layered, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
-use crate::contours::Contour;
 use crate::head::Head;
 
 /// A contour printed on the bed follows the model to this, mm.
@@ -118,8 +118,9 @@ impl Build<'_> {
         self.out.begin_slab(0, &[]);
         let contours = &self.sliced.upper[0];
         let mut ground = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
-        let mut waiting: Vec<usize> = (0..contours.len()).collect();
-        while let Some(i) = self.take_nearest(&mut waiting, contours) {
+        let plans = contours.iter().map(|c| vec![c.points.clone()]);
+        let mut waiting = Waiting::new(plans.collect());
+        while let Some(i) = waiting.take_nearest(self.place()) {
             let Some(curve) = Curve::new(&contours[i].points, contours[i].closed) else { continue };
             let start = self.seam(&curve);
             let kind = if contours[i].support { Kind::Support } else { Kind::Contour };
@@ -135,16 +136,9 @@ impl Build<'_> {
         ground
     }
 
-    /// Takes the contour nearest to the head out of the list.
-    fn take_nearest(&self, waiting: &mut Vec<usize>, contours: &[Contour]) -> Option<usize> {
-        let at = self.out.at().map_or(DVec2::ZERO, DVec3::truncate);
-        let distance = |i: usize| {
-            contours[i].points.iter().map(|p| p.distance_squared(at)).fold(f64::INFINITY, f64::min)
-        };
-        let best = (0..waiting.len())
-            .map(|k| (distance(waiting[k]), k))
-            .min_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(waiting.remove(best.1))
+    /// Where the head is, in plan; at first the bed's centre.
+    pub(super) fn place(&self) -> DVec2 {
+        self.out.at().map_or(DVec2::ZERO, DVec3::truncate)
     }
 
     /// Arc length where a ring that follows no strand begins: its corner nearest to the head.

@@ -16,6 +16,7 @@ mod segments;
 mod slab;
 mod sliced;
 pub mod strips;
+mod waiting;
 mod walls;
 pub mod zigzag;
 

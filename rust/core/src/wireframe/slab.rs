@@ -1,6 +1,6 @@
 //! One slab: posts and diagonals up to each contour of its upper slice, then that contour.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use super::build::{Build, Ground, Standing};
 use super::builder::Course;
@@ -9,6 +9,7 @@ use super::layered::{self, LayeredSlab, Piece};
 use super::posts::Post;
 use super::rim::{Footing, Rim};
 use super::strips::Strip;
+use super::waiting::{Waiting, bounds};
 use super::walls::Walls;
 use super::zigzag::{Step, ZigzagInput, zigzag};
 use super::{Kind, Pattern, PlacedPost, Reason, Sliced};
@@ -93,18 +94,20 @@ impl Build<'_> {
         let top = &tops[slab];
         let z = top.z;
         let mut printed = Ground { rims: vec![None; top.curves.len()], lines: Vec::new() };
-        let mut jobs = self.jobs(top, &ground.rims);
+        let jobs = self.jobs(top, &ground.rims);
         self.print_crowded_rims(top, &jobs, ground);
         let (mut waiting, mut loose, mut bare) = (Vec::new(), Vec::new(), Vec::new());
-        while let Some(job) = self.next_job(&mut jobs, &ground.rims) {
+        let mut order = Waiting::new(jobs.iter().map(|job| plans(job, ground)).collect());
+        while let Some(next) = order.take_nearest(self.place()) {
+            let job = &jobs[next];
             let Some(curve) = &top.curves[job.curve] else { continue };
-            let Some(standing) = self.posts_of(top, &job, ground) else {
+            let Some(standing) = self.posts_of(top, job, ground) else {
                 bare.push(job);
                 continue;
             };
             if self.is_loose(curve, &standing, z - self.sliced.levels[slab].z) {
                 loose.push(standing);
-            } else if layers.is_some() || self.in_the_way(curve, &jobs, &ground.rims, top.reach) {
+            } else if layers.is_some() || is_in_the_way(curve, &order, top.reach) {
                 waiting.push(standing);
             } else {
                 printed.rims[job.curve] = Some(self.ring(top, &standing));
@@ -113,7 +116,7 @@ impl Build<'_> {
         if let Some(layers) = layers {
             self.layers(top, layers, &mut printed);
         }
-        self.rings(top, waiting, &mut printed);
+        self.rings(top, &waiting, &mut printed);
         self.hang_rest(top, loose, &bare, &mut printed);
         self.join_pieces(top, &mut printed);
         printed
@@ -335,19 +338,17 @@ impl Build<'_> {
     }
 
     /// Prints the rings that had to wait, the nearest first.
-    fn rings(&mut self, top: &Top, mut waiting: Vec<Standing>, printed: &mut Ground) {
-        while !waiting.is_empty() {
-            let at = self.out.at().unwrap_or_default();
-            let end = |s: &Standing| s.posts.last().map_or(f64::INFINITY, |p| p.peak.distance(at));
-            let nearest =
-                (0..waiting.len()).min_by(|&a, &b| end(&waiting[a]).total_cmp(&end(&waiting[b])));
-            let Some(standing) = nearest.map(|i| waiting.remove(i)) else { return };
-            printed.rims[standing.curve] = Some(self.ring(top, &standing));
+    fn rings(&mut self, top: &Top, waiting: &[Standing], printed: &mut Ground) {
+        let end = |s: &Standing| s.posts.last().map(|post| vec![post.peak.truncate()]);
+        let mut order = Waiting::new(waiting.iter().map(|s| Vec::from_iter(end(s))).collect());
+        while let Some(next) = order.take_nearest(self.place()) {
+            let standing = &waiting[next];
+            printed.rims[standing.curve] = Some(self.ring(top, standing));
         }
     }
 
     /// Contours with too few posts, or none, hang on their neighbours.
-    fn hang_rest(&mut self, top: &Top, loose: Vec<Standing>, bare: &[Job], printed: &mut Ground) {
+    fn hang_rest(&mut self, top: &Top, loose: Vec<Standing>, bare: &[&Job], printed: &mut Ground) {
         for standing in loose {
             let Some(curve) = &top.curves[standing.curve] else { continue };
             // A column that stands on one leg is no less a support.
@@ -414,31 +415,6 @@ impl Build<'_> {
         }
         jobs
     }
-
-    /// The job whose carriers come nearest to the head.
-    fn next_job(&self, jobs: &mut Vec<Job>, rims: &[Option<Rim>]) -> Option<Job> {
-        let at = self.out.at().map_or(DVec2::ZERO, DVec3::truncate);
-        let distance = |job: &Job| {
-            let carriers = job.carriers.iter().filter_map(|&i| rims[i].as_ref());
-            carriers
-                .flat_map(|r| &r.points)
-                .map(|p| p.truncate().distance_squared(at))
-                .fold(f64::INFINITY, f64::min)
-        };
-        let best =
-            (0..jobs.len()).map(|k| (distance(&jobs[k]), k)).min_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(jobs.remove(best.1))
-    }
-
-    /// Whether a ring at the slab's top would stand in the way of zigzags still to come.
-    fn in_the_way(&self, curve: &Curve, jobs: &[Job], rims: &[Option<Rim>], reach: f64) -> bool {
-        let (low, high) = bounds(curve.points().iter().copied());
-        let carriers = jobs.iter().flat_map(|j| &j.carriers).filter_map(|&i| rims[i].as_ref());
-        carriers.into_iter().any(|rim| {
-            let (a, b) = bounds(rim.points.iter().map(|p| p.truncate()));
-            (a - high).max(low - b).max_element() < reach
-        })
-    }
 }
 
 /// The posts of a piece between regions, whose layers hold its contour like posts of no height.
@@ -450,6 +426,18 @@ fn held(posts: Vec<Post>, curve: &Curve, piece: &Piece, z: f64) -> Vec<Post> {
     let first = piece.meets[0].then(|| end(0.0));
     let last = piece.meets[1].then(|| end(curve.length()));
     first.into_iter().chain(posts).chain(last).collect()
+}
+
+/// The rims that carry a contour, as polylines of the plan.
+fn plans(job: &Job, ground: &Ground) -> Vec<Vec<DVec2>> {
+    let rims = job.carriers.iter().filter_map(|&i| ground.rims[i].as_ref());
+    rims.map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect()
+}
+
+/// Whether a ring at the slab's top would stand in the way of zigzags still to come.
+fn is_in_the_way(curve: &Curve, order: &Waiting, reach: f64) -> bool {
+    let (low, high) = bounds(curve.points().iter().copied());
+    order.is_near(low, high, reach)
 }
 
 /// The rectangle over which the posts of a contour stand.
@@ -491,8 +479,4 @@ fn leans(strip: &Strip) -> bool {
 
 fn lowest(rims: &[&Rim]) -> f64 {
     rims.iter().flat_map(|r| &r.points).map(|p| p.z).fold(f64::INFINITY, f64::min)
-}
-
-fn bounds(points: impl Iterator<Item = DVec2>) -> (DVec2, DVec2) {
-    points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |b, p| (b.0.min(p), b.1.max(p)))
 }
