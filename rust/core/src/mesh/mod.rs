@@ -45,6 +45,12 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// Faces that are worth a task of their own: few enough for all threads to have some.
+    #[must_use]
+    pub(crate) fn faces_per_task(&self) -> usize {
+        (self.faces.len() / (4 * rayon::current_num_threads())).clamp(1 << 10, 1 << 14)
+    }
+
     /// A mesh of welded vertices and faces, with its adjacency and without any repair.
     ///
     /// Each face must have three different vertices, all below the number of vertices. At edges

@@ -124,6 +124,9 @@ pub(super) struct Klipper {
     configured: Limits,
     /// As M204 and `SET_VELOCITY_LIMIT` left them.
     current: Limits,
+    /// Radius of the arc that a corner is thought to be rounded by, for a right angle at the square
+    /// corner velocity, under the current limits, mm.
+    junction_deviation: f64,
     /// Squared radii of a delta's tapers with their speed and acceleration, the outermost first.
     tapers: Vec<(f64, f64, f64)>,
     queue: Vec<Move>,
@@ -151,6 +154,7 @@ impl Klipper {
         Self {
             configured: *limits,
             current: *limits,
+            junction_deviation: junction_deviation(limits),
             tapers,
             queue: Vec::new(),
             plans: Vec::new(),
@@ -173,7 +177,7 @@ impl Klipper {
         let course = Course {
             direction: (!standing).then(|| displacement * per_mm),
             feed_ratio: step.filament * per_mm,
-            junction_deviation: self.junction_deviation(),
+            junction_deviation: self.junction_deviation,
         };
         let mut item = self.limited(step, displacement, length_d, standing, tag);
         if let (Some(last), Some(before)) = (self.queue.last(), &self.course) {
@@ -215,16 +219,9 @@ impl Klipper {
                     current.minimum_cruise_ratio = ratio;
                 }
             }
-            _ => {}
+            _ => return,
         }
-    }
-
-    /// Radius of the arc that a corner is thought to be rounded by, for a right angle at the square
-    /// corner velocity, mm.
-    #[inline]
-    fn junction_deviation(&self) -> f64 {
-        let corner_v = self.current.square_corner_velocity;
-        corner_v * corner_v * (SQRT_2 - 1.0) / self.current.max_accel
+        self.junction_deviation = junction_deviation(&self.current);
     }
 
     /// A move under the limits of the machine, its junction still unknown.
@@ -336,6 +333,12 @@ impl Klipper {
         }
         self.left_cruise_v2 = cruise_v2;
     }
+}
+
+/// Radius of the arc that rounds a right angle at the square corner velocity, mm.
+fn junction_deviation(limits: &Limits) -> f64 {
+    let corner_v = limits.square_corner_velocity;
+    corner_v * corner_v * (SQRT_2 - 1.0) / limits.max_accel
 }
 
 /// Sets the greatest speed at the junction with the last move; zero beside a move of the filament

@@ -22,8 +22,6 @@ const LAST: [usize; 3] = [2, 0, 1];
 const BAND: usize = 32;
 /// Bands per thread, so that uneven ones still fill all threads.
 const BANDS_PER_THREAD: usize = 4;
-/// Faces per task when they are sorted into bands.
-const FACES_PER_TASK: usize = 1 << 14;
 
 /// Cuts the mesh at every plane: one list of loops a plane, in the order of `planes`.
 ///
@@ -88,12 +86,13 @@ fn spread<T: Clone>(distinct: Vec<T>, position: &[u32]) -> Vec<T> {
 /// planes, is a power of two.
 fn faces_by_band(mesh: &Mesh, ranks: &[u32], width: usize, bands: usize) -> Vec<Vec<Vec<u32>>> {
     let shift = width.trailing_zeros();
+    let chunk_len = mesh.faces_per_task();
     mesh.faces
-        .par_chunks(FACES_PER_TASK)
+        .par_chunks(chunk_len)
         .enumerate()
         .map(|(chunk, faces)| {
             let mut lists = vec![Vec::new(); bands];
-            for (face, corners) in (chunk * FACES_PER_TASK..).zip(faces) {
+            for (face, corners) in (chunk * chunk_len..).zip(faces) {
                 let (low, high) = span(corners, ranks);
                 if low < high {
                     let (first, last) = ((low >> shift) as usize, ((high - 1) >> shift) as usize);

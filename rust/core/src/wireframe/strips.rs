@@ -12,9 +12,6 @@ use crate::contours::Contour;
 use crate::mesh::union_find::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
 
-/// Faces per task when they are sorted into intervals.
-const FACES_PER_TASK: usize = 1 << 14;
-
 /// A connected piece of the surface between two heights.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strip {
@@ -164,12 +161,13 @@ fn faces_by_interval(mesh: &Mesh, intervals: &[Interval]) -> Vec<Vec<Vec<u32>>> 
         reach
     };
     let reaches: Vec<f64> = order.iter().map(rise).collect();
+    let chunk_len = mesh.faces_per_task();
     mesh.faces
-        .par_chunks(FACES_PER_TASK)
+        .par_chunks(chunk_len)
         .enumerate()
         .map(|(chunk, faces)| {
             let mut lists = vec![Vec::new(); intervals.len()];
-            for (face, &corners) in (chunk * FACES_PER_TASK..).zip(faces) {
+            for (face, &corners) in (chunk * chunk_len..).zip(faces) {
                 let (low, high) = extent(heights(mesh, corners));
                 let first = reaches.partition_point(|&end| end < low);
                 for &i in order[first..].iter().take_while(|&&i| intervals[i].low <= high) {
