@@ -64,18 +64,16 @@ def load_mesh(
     """
     if units not in UNITS_MM:
         raise SettingError(f"units is {units!r}; it must be one of {', '.join(UNITS_MM)}")
-    suffix = str(path).rpartition(".")[2].lower()
-    unit_mm = UNITS_MM[units]
+    suffix, unit_mm = str(path).rpartition(".")[2].lower(), UNITS_MM[units]
+    rest: dict[str, Any] = {
+        "up": up,
+        "rotate": rotate,
+        "height_mm": height_mm,
+        "hole_perimeter": hole_perimeter,
+        "weld_distance": weld_distance,
+    }
     if suffix == "stl":
-        return Mesh.load_stl(
-            path,
-            scale=scale * unit_mm,
-            up=up,
-            rotate=rotate,
-            height_mm=height_mm,
-            hole_perimeter=hole_perimeter,
-            weld_distance=weld_distance,
-        )
+        return Mesh.load_stl(path, scale=scale * unit_mm, **rest)
     from pathlib import Path
 
     from wireprint import _formats
@@ -83,30 +81,13 @@ def load_mesh(
     if suffix == "3mf":
         from wireprint.model import File3mf
 
-        return File3mf(Path(path)).mesh(
-            scale=scale,
-            units=units,
-            up=up,
-            rotate=rotate,
-            height_mm=height_mm,
-            hole_perimeter=hole_perimeter,
-            weld_distance=weld_distance,
-        )
+        return File3mf(Path(path)).mesh(scale=scale, units=units, **rest)
     if suffix not in _formats.FORMATS:
         known = ", ".join(name.upper() for name in ("stl", *_formats.FORMATS, "3mf"))
         raise ModelError(f"{path}: the format is not supported; convert it to one of {known}")
     vertices, faces = _formats.read_facets(Path(path), suffix)
     try:
-        return Mesh.from_arrays(
-            vertices,
-            faces,
-            scale=scale * unit_mm,
-            up=up,
-            rotate=rotate,
-            height_mm=height_mm,
-            hole_perimeter=hole_perimeter,
-            weld_distance=weld_distance,
-        )
+        return Mesh.from_arrays(vertices, faces, scale=scale * unit_mm, **rest)
     except ModelError as error:
         raise ModelError(f"{path}: {error}") from error
 

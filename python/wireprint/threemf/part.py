@@ -135,7 +135,7 @@ class _Reader:
         if self._object is None:
             return
         triangles = self._object.triangles
-        if len(attributes) > len("123"):
+        if len(attributes) > 3:  # more than its corners
             for attribute in PAINT:
                 if painting := attributes.get(attribute):
                     self._object.paint[len(triangles) // 3] = painting
