@@ -129,6 +129,13 @@ def test_a_file_of_marks_that_cannot_be_read_is_named(cube, tmp_path):
     assert not (tmp_path / "x.gcode").exists()
 
 
+@pytest.mark.parametrize("option", ["--fill-state", "--fill-set"])
+def test_paint_is_not_chosen_where_there_can_be_none(option, cube, tmp_path):
+    result = run("slice", cube, "-o", tmp_path / "x.gcode", option, "1", "--fill", "z:..")
+    assert result.exit_code == 2
+    assert f"{option} needs a 3MF file" in result.stderr
+
+
 def test_a_projects_name_must_say_what_it_is(cube, tmp_path):
     result = run("project", cube, "-o", tmp_path / "x.stl")
     assert result.exit_code == 2

@@ -58,7 +58,7 @@ def load_model(
         See `wireprint.load_mesh`. Also where the painting is damaged, a set is not there, or a
         project's settings are wrong.
     """
-    if not is_3mf(path):
+    if Path(path).suffix.lower() != ".3mf":
         return Model(load_mesh(path, **placement), Region(), None)
     file = File3mf(Path(path))
     mesh = file.mesh(**placement)
@@ -92,11 +92,6 @@ def load_marks(
     if not region:
         raise ModelError(f"{path}: nothing in it is painted or marked as asked for")
     return region
-
-
-def is_3mf(path: str | os.PathLike[str]) -> bool:
-    """Whether a path names a 3MF file."""
-    return str(path).rpartition(".")[2].lower() == "3mf"
 
 
 class File3mf:

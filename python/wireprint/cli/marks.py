@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from wireprint.model import Model
     from wireprint.regions import Mark, Region
@@ -72,14 +72,29 @@ def marks_options(command: Command) -> Command:
     return command
 
 
-def marks_from(options: dict[str, Any]) -> Marks:
-    """Take the options of `marks_options` out of a command's own."""
-    return Marks(
+def marks_from(options: dict[str, Any], models: Iterable[Path]) -> Marks:
+    """Take the options of `marks_options` out of a command's own.
+
+    Raises
+    ------
+    click.UsageError
+        They choose among paint or sets where no 3MF file could have any.
+    """
+    marks = Marks(
         options.pop("fill"),
         options.pop("fill_file"),
         options.pop("fill_state"),
         options.pop("fill_set"),
     )
+    if (marks.states or marks.sets) and not any(map(_is_3mf, (*models, *marks.files))):
+        name = "--fill-state" if marks.states else "--fill-set"
+        raise click.UsageError(f"{name} needs a 3MF file, as MODEL or --fill-file")
+    return marks
+
+
+def _is_3mf(path: Path) -> bool:
+    """Whether a path names a 3MF file."""
+    return path.suffix.lower() == ".3mf"
 
 
 @dataclass(frozen=True)
@@ -93,7 +108,7 @@ class Marks:
 
     def concern(self, path: Path) -> bool:
         """Whether a model may be marked: here, or by its own file."""
-        return bool(self.fill or self.files or path.suffix.lower() == ".3mf")
+        return bool(self.fill or self.files or _is_3mf(path))
 
     def load(self, path: Path, placement: dict[str, Any]) -> Model:
         """Read a model with its own marks, those of the files and the single ones, in this order.
@@ -115,9 +130,9 @@ class Marks:
         return replace(model, region=region.add(Region(self.fill)))
 
     def _read(self, file: Path, placement: dict[str, Any]) -> Region:
-        from wireprint.model import is_3mf, load_marks
+        from wireprint.model import load_marks
         from wireprint.regions import document
 
-        if is_3mf(file):
+        if _is_3mf(file):
             return load_marks(file, states=self.states, sets=self.sets, **placement)
         return document.read(file)

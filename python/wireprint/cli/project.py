@@ -35,7 +35,7 @@ def project(model: Path, output: Path, **options: Any) -> None:
         raise click.UsageError(f"{output}: a project's name ends in .3mf")
     from wireprint.project import write_project
 
-    chosen, marks = chosen_from(options), marks_from(options)
+    chosen, marks = chosen_from(options), marks_from(options, [model])
     found = marks.load(model, options)
     settings = chosen.settings() if found.settings is None else chosen.over(found.settings)
     write_project(output, found.mesh, settings, found.region)

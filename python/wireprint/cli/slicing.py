@@ -59,7 +59,7 @@ def slice_models(
     into its own strands, or leave them hanging, is refused.
     """
     targets = _targets(models, output)
-    chosen, marks = chosen_from(options), marks_from(options)
+    chosen, marks = chosen_from(options), marks_from(options, models)
     job = Job(
         chosen,
         chosen.recalled(),
