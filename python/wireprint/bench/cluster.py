@@ -11,7 +11,6 @@ from wireprint._core import SettingError, WireprintError
 from wireprint.bench import task as bench_task
 
 if TYPE_CHECKING:
-    from types import TracebackType
     from typing import Self
 
     from distributed import Client, Future
@@ -46,12 +45,7 @@ class Cluster:
         """Nothing begins before the first task."""
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         """Take back what has not begun, and leave the cluster as it was."""
         self._client.cancel(list(self._running))
         self._client.close()

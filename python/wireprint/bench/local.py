@@ -15,7 +15,6 @@ from wireprint.threads import cores
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
     from multiprocessing.process import BaseProcess
-    from types import TracebackType
     from typing import Self
 
     from wireprint.bench.plan import Task
@@ -41,12 +40,7 @@ class Processes:
         """Nothing begins before the first task."""
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         """Leave no process behind."""
         for worker in [*self._idle, *(worker for worker, _ in self._busy.values())]:
             worker.stop()

@@ -16,7 +16,6 @@ from wireprint.files import written_whole
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
     from pathlib import Path
-    from types import TracebackType
     from typing import IO, Self
 
     from wireprint.bench.plan import Task
@@ -87,12 +86,7 @@ class Table:
         self._file.write("\n")
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         """Close the journal; it stays until `finish`."""
         if self._file is not None:
             self._file.close()
