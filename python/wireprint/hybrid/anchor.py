@@ -1,4 +1,4 @@
-"""Lines begin on something: on the layer below, on wire, or on lines of their own layer."""
+"""Lines begin and end on something: the layer below, wire, or lines of their own layer."""
 
 from __future__ import annotations
 
@@ -16,17 +16,24 @@ if TYPE_CHECKING:
 
     Floats = npt.NDArray[np.float64]
     Ints = npt.NDArray[np.int64]
+    Bools = npt.NDArray[np.bool_]
 
 #: What is this part of a strand away still touches.
 _TOUCH = 0.9
-#: A line that begins in the air is searched for support in steps of this part of a strand.
+#: The same for the rim of a slab, whose strand may stray by half its diameter.
+_TOUCH_RIM = 0.45
+#: A line that begins or ends in the air is searched for support in steps of this part of a strand.
 _STEP = 0.4
-#: Order of what never counts on its own layer.
-_NEVER = np.iinfo(np.int64).max
+#: An outer wall is at most this part of a strand behind the surface, with any inset.
+_OUTER = 0.6
+#: Most times that all lines are gone through.
+_PASSES = 4
+#: What is left of a line must be this many strands long.
+_LEAST = 1.5
 
 
-def anchored(route: Route, cut: Cut, strand_mm: float) -> Route:
-    """Turn, or part, each line that begins in the air so that it begins on something.
+def anchored(route: Route, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float) -> Route:
+    """Mend each line that begins in the air, or ends where nothing will ever meet it.
 
     Parameters
     ----------
@@ -34,81 +41,148 @@ def anchored(route: Route, cut: Cut, strand_mm: float) -> Route:
         Lines in printing order.
     cut
         The layers; the contours at the tops of slabs are there before the layers above them.
+    rims
+        Other segments that are, shape (S, 2, 2), mm, and the layer at whose height they lie.
     strand_mm
         Diameter of a strand, mm.
 
     Returns
     -------
     Route
-        The same lines. One that has no support anywhere stays as it is.
+        The same lines, turned round or parted where that lets them begin on something, cut off
+        behind the last place that holds them. One that nothing holds anywhere stays as it is.
     """
-    ground = _Ground(route, cut, strand_mm)
-    starts = route.offsets[:-1]
-    loose = np.flatnonzero(~ground.holds(route.points[starts, :2], np.arange(len(starts))))
-    if not len(loose):
+    # What is cut off may have held what is printed later.
+    for _ in range(_PASSES):
+        mended = _mended(route, _Ground(route, cut, rims, strand_mm))
+        if mended is route:
+            break
+        route = mended
+    return route
+
+
+def _mended(route: Route, ground: _Ground) -> Route:
+    begins, ends = route.offsets[:-1], route.offsets[1:]
+    lines = np.arange(len(begins))
+    loose = ~ground.holds(route.points[begins, :2], lines)
+    loose |= ~ground.meets(route.points[ends - 1, :2], lines)
+    if not loose.any():
         return route
     pieces: list[Floats] = []
     layers: list[Ints] = []
-    is_loose = np.zeros(len(starts), dtype=bool)
-    is_loose[loose] = True
-    for line, (begin, end) in enumerate(zip(starts, route.offsets[1:], strict=True)):
-        points = route.points[begin:end]
-        parts = ground.parted(points, line) if is_loose[line] else [points]
+    changed = False
+    for line in lines:
+        points = route.points[begins[line] : ends[line]]
+        parts = ground.mended(points, int(line)) if loose[line] else [points]
+        changed |= len(parts) != 1 or not np.array_equal(parts[0], points)
         pieces += parts
-        layers += [np.full(len(part), route.layer[begin]) for part in parts]
-    offsets = np.concatenate([[0], np.cumsum([len(part) for part in pieces])])
+        layers += [np.full(len(part), ground.layer[line]) for part in parts]
+    if not (pieces and changed):
+        return route
+    offsets = np.concatenate([[0], np.cumsum([len(part) for part in pieces])]).astype(np.int64)
     return Route(np.concatenate(pieces), np.concatenate(layers), offsets)
 
 
 class _Ground:
-    """What is there before each line is printed."""
+    """What is there before each line is printed, and what will be."""
 
-    def __init__(self, route: Route, cut: Cut, strand_mm: float) -> None:
+    def __init__(self, route: Route, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float) -> None:
         self.layer = route.layer[route.offsets[:-1]]
         line = np.repeat(np.arange(len(self.layer)), np.diff(route.offsets))
         own = np.flatnonzero(line[1:] == line[:-1])
         # The rims of slabs count as lines of the layer at that height; a bed has its own.
-        ends, contour = _segments(cut)
+        contours, contour = _segments(cut)
         layer = cut.layer[contour]
-        rims, on_bed = cut.is_last()[layer], layer == 0
-        segments = [
-            np.stack([route.points[own, :2], route.points[own + 1, :2]], axis=1),
-            ends[rims],
-            ends[on_bed],
-        ]
-        self.layers = np.concatenate([self.layer[line[own]], layer[rims], layer[on_bed] - 1])
-        self.order = np.full(len(self.layers), _NEVER)
-        self.order[: len(own)] = line[own]
-        self.tree = shapely.STRtree(shapely.linestrings(np.concatenate(segments)))
-        self.touch_mm = _TOUCH * strand_mm
-        self.step_mm = _STEP * strand_mm
+        is_rim, on_bed = cut.is_last()[layer], layer == 0
+        self.strand_mm = strand_mm
+        self.order = line[own]
+        self.line_layer = self.layer[line[own]]
+        self.lines = _tree([np.stack([route.points[own, :2], route.points[own + 1, :2]], axis=1)])
+        self.contours, self.contour_layer = _tree([contours]), layer
+        self.rims = _tree([contours[is_rim], contours[on_bed], rims[0]])
+        self.rim_layer = np.concatenate([layer[is_rim], layer[on_bed] - 1, rims[1]])
 
-    def holds(self, points: Floats, line: Ints) -> npt.NDArray[np.bool_]:
+    def holds(self, points: Floats, line: Ints) -> Bools:
         """Tell which points lie on what is there before the lines of these numbers."""
-        asked, found = self.tree.query(
-            shapely.points(points), predicate="dwithin", distance=self.touch_mm
-        )
-        own, below = self.layer[line[asked]], self.layers[found]
-        earlier = (below == own) & (self.order[found] < line[asked])
         held = np.zeros(len(points), dtype=bool)
-        held[asked[(below == own - 1) | earlier]] = True
+        asked, found = self._near(self.lines, points, _TOUCH)
+        own, other = self.layer[line[asked]], self.line_layer[found]
+        earlier = (other == own) & (self.order[found] < line[asked])
+        held[asked[(other == own - 1) | earlier]] = True
+        asked, found = self._near(self.rims, points, _TOUCH_RIM)
+        held[asked[self.rim_layer[found] == self.layer[line[asked]] - 1]] = True
         return held
 
-    def parted(self, points: Floats, line: int) -> list[Floats]:
-        """Return the parts of a line, from the first place that holds it to either end."""
+    def meets(self, points: Floats, line: Ints) -> Bools:
+        """Tell which points lie on something there before or after these lines."""
+        met = self.holds(points, line)
+        asked, found = self._near(self.lines, points, _TOUCH)
+        own, other = self.layer[line[asked]], self.line_layer[found]
+        later = (other == own) & (self.order[found] > line[asked])
+        met[asked[(other == own + 1) | later]] = True
+        return met
+
+    def _near(self, tree: shapely.STRtree, points: Floats, touch: float) -> tuple[Ints, Ints]:
+        asked, found = tree.query(
+            shapely.points(points), predicate="dwithin", distance=touch * self.strand_mm
+        )
+        return asked, found
+
+    def mended(self, points: Floats, line: int) -> list[Floats]:
+        """Return what is left of a line, in parts that begin on something."""
         string = shapely.LineString(points[:, :2])
-        count = int(string.length / self.step_mm) + 1
+        count = int(string.length / (_STEP * self.strand_mm)) + 1
         along = np.linspace(0.0, string.length, count + 1)
         places = shapely.get_coordinates(shapely.line_interpolate_point(string, along))
-        held = np.flatnonzero(self.holds(places, np.full(len(places), line)))
-        if not len(held):
-            return [points]
-        if held[-1] == count:
-            return [points[::-1]]
-        at = np.append(places[held[0]], points[0, 2])
+        lines = np.full(len(places), line)
+        held, met = self.holds(places, lines), self.meets(places, lines)
+        if not held.any():
+            # Without an outer wall there is no region; what is behind it can be done without.
+            return [points] if self._is_outer(places, line) else []
+        first, last = np.flatnonzero(met)[[0, -1]]
+        path = _Path(points)
+        if held[first]:
+            return path.between(along[first], along[last], self._least_mm)
+        if held[last]:
+            return path.between(along[last], along[first], self._least_mm)
+        middle = along[np.flatnonzero(held)[0]]
+        return [
+            *path.between(middle, along[last], self._least_mm),
+            *path.between(middle, along[first], self._least_mm),
+        ]
+
+    def _is_outer(self, places: Floats, line: int) -> bool:
+        """Tell whether most of a line is nearer to its layer's contours than a second wall is."""
+        asked, found = self._near(self.contours, places, _OUTER)
+        own = np.unique(asked[self.contour_layer[found] == self.layer[line]])
+        return 2 * len(own) > len(places)
+
+    @property
+    def _least_mm(self) -> float:
+        return _LEAST * self.strand_mm
+
+
+class _Path:
+    """A line by arc length."""
+
+    def __init__(self, points: Floats) -> None:
         steps = np.hypot(*np.diff(points[:, :2], axis=0).T)
-        before = int(np.searchsorted(np.cumsum(steps), along[held[0]])) + 1
-        return [np.vstack([at, points[before:]]), np.vstack([at, points[:before][::-1]])]
+        self.points = points
+        self.at = np.concatenate([[0.0], np.cumsum(steps)])
+
+    def between(self, begin: float, end: float, least_mm: float) -> list[Floats]:
+        """Return the part from one arc length to another, forwards or backwards, if long enough."""
+        low, high = min(begin, end), max(begin, end)
+        if high - low < least_mm:
+            return []
+        ends = np.column_stack([np.interp([low, high], self.at, c) for c in self.points.T])
+        inside = (self.at > low) & (self.at < high)
+        part = np.concatenate([ends[:1], self.points[inside], ends[1:]])
+        return [part if begin <= end else part[::-1]]
+
+
+def _tree(segments: list[Floats]) -> shapely.STRtree:
+    return shapely.STRtree(shapely.linestrings(np.concatenate(segments)))
 
 
 def _segments(cut: Cut) -> tuple[Floats, Ints]:

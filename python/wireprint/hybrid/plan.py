@@ -18,6 +18,8 @@ from wireprint.stages import line_section_mm2
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    import numpy.typing as npt
+
     from wireprint._core import Mesh, Wireframe, _Layered
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -30,6 +32,9 @@ class Plan:
     cut: Cut
     samples: Samples
     runs: Runs
+    #: The contours that slabs begin with, as segments of shape (S, 2, 2), mm, and the layers that
+    #: end at their heights, shape (S,).
+    rims: tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]
     settings: Settings
 
     @classmethod
@@ -63,7 +68,7 @@ class Plan:
         slope = math.tan(math.radians(head.slant_deg))
         gap_mm = 2 * (head.tip_radius_mm + np.diff(wireframe.levels[:, 0]) / slope)
         runs = runs_of(cut, samples, covered, born, least_mm, np.maximum(gap_mm, least_mm))
-        return cls(cut, samples, runs, settings)
+        return cls(cut, samples, runs, _rims(cut, wireframe), settings)
 
     @property
     def sections(self) -> tuple[Section, ...]:
@@ -81,7 +86,7 @@ class Plan:
         lines = route(self.cut, self.samples, self.runs, recipe, regions.inset * recipe.width_mm)
         if lines is None:
             return None
-        lines = anchored(lines, self.cut, printer.head.nozzle_mm)
+        lines = anchored(lines, self.cut, self.rims, printer.head.nozzle_mm)
         layer = lines.layer[lines.offsets[:-1]]
         strand_mm2 = math.pi / 4 * printer.head.nozzle_mm**2
         thickness = self.cut.thickness.tolist()
@@ -97,3 +102,15 @@ class Plan:
             "line_slabs": self.cut.slab[layer],
             "line_flows": section_mm2[layer] / strand_mm2,
         }
+
+
+def _rims(cut: Cut, wireframe: Wireframe) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+    """Return the contours that begin the slabs above the bed as segments with their layers."""
+    above = wireframe.contours_above
+    points, offsets = above["points"], above["offsets"]
+    following = np.arange(1, len(points) + 1)
+    following[offsets[1:] - 1] = np.where(above["closed"], offsets[:-1], offsets[1:] - 1)
+    slices = above["slice_offsets"]
+    level = np.repeat(np.arange(len(slices) - 1), np.diff(slices)).repeat(np.diff(offsets))
+    last = np.append(-1, np.flatnonzero(cut.is_last()))
+    return np.stack([points, points[following]], axis=1), last[level]
