@@ -2,16 +2,26 @@
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+from scipy.spatial import cKDTree
 
+from test_random_models import BALL, blob, tower
 from wireprint import examples
+from wireprint._core import Mesh
 from wireprint.gcode.flavors import KINDS
 from wireprint.hybrid.motion import motion
+from wireprint.layerwise.areas import areas
+from wireprint.layerwise.printing import layered
+from wireprint.layerwise.recipe import Recipe
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
 from wireprint.regions import Box, Region, Sphere, ZRange
 from wireprint.settings import Settings
 
-LAYERWISE, CONTOUR, POST = (KINDS.index(kind) for kind in ("layer-wise", "contour", "post"))
+LAYERWISE, CONTOUR, POST, CAP = (
+    KINDS.index(kind) for kind in ("layer-wise", "contour", "post", "cap")
+)
 SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]"])
 
 
@@ -44,6 +54,16 @@ def distances(made, points):
 
     mesh = trimesh.Trimesh(made.mesh.vertices, made.mesh.faces)
     return trimesh.proximity.closest_point(mesh, points)[1]
+
+
+def away(made, points):
+    """Distance of points from the strands' centrelines, mm, by points along these."""
+    ends = made.wireframe.strands
+    count = np.ceil(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / 0.1).astype(int) + 1
+    which = np.repeat(np.arange(len(ends)), count)
+    rank = np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count)
+    share = (rank / np.maximum(count[which] - 1, 1))[:, None]
+    return cKDTree(ends[which, 0] * (1 - share) + ends[which, 1] * share).query(points)[0]
 
 
 def test_where_nothing_is_marked_the_print_is_the_plain_one_byte_for_byte(models):
@@ -112,3 +132,103 @@ def test_a_region_turns_with_its_model(models):
     matrix = motion(bottle, turned, (90.0, 0.0, 30.0))
     there = bottle.vertices @ matrix[:3, :3].T + matrix[:3, 3]
     np.testing.assert_allclose(there, turned.vertices, atol=1e-9)
+
+
+def test_all_marked_is_an_ordinary_layer_print(models):
+    """Same walls, same fill: what differs is the first layer and the heights rounded to slabs."""
+    cube = models("cube")
+    chosen = Settings.load(
+        overrides=["gcode.thumbnails=[]", "regions.inset=0.5", "layerwise.width_ratio=1"]
+    )
+    made = make(cube, chosen, Region().add(ZRange()), compare=False)
+    assert made.certificate.ok
+    assert all(run.whole for run in made.regions.plan.sections)
+    recipe = Recipe.of(chosen.layerwise, chosen.printer)
+    plain = layered(areas(cube, recipe.layer_mm, recipe.resolution_mm), recipe)
+    layers = len(made.regions.plan.cut.z)
+    per_layer_mm = plain.figures()["strand_mm"] / 140
+    assert made.regions.layer_wise_mm / layers == pytest.approx(per_layer_mm, rel=0.01)
+    kinds = set(made.wireframe.strand_kinds.tolist())
+    assert kinds <= {LAYERWISE, CONTOUR, CAP}
+    assert strands(made, CONTOUR)[..., 2].max() == chosen.first_layer_height_mm
+
+
+def test_marked_surface_comes_as_near_as_layers_the_rest_stays_as_it_was(models):
+    bottle = models("bottle", height_mm=90)
+    ball = Sphere(centre_mm=(0, -15, 45), radius_mm=14)
+    made, plain = printed(bottle, ball), make(bottle, SETTINGS)
+    samples = made.regions.plan.samples
+    inside = made.regions.plan.runs.of_sample >= 0
+    near, far = (away(print_, samples.middle) for print_ in (made, plain))
+    assert np.mean(near[inside]) < SETTINGS.regions.layer_height_mm / 2
+    assert np.mean(far[inside]) > 3 * np.mean(near[inside])
+    outside = ~inside & (np.abs(samples.middle[:, 2] - 45) > 25)
+    assert np.mean(near[outside]) == pytest.approx(np.mean(far[outside]), rel=0.1)
+
+
+def test_the_runs_are_arrays_that_lie_on_their_contours(models):
+    made = printed(models("bottle", height_mm=90), Sphere(centre_mm=(0, -15, 45), radius_mm=14))
+    runs = made.regions.runs
+    contours = made.wireframe.contours_below
+    assert len(runs["slab"]) > 1
+    for slab, contour, begin, end in zip(
+        runs["slab"], runs["contour"], runs["from_mm"], runs["to_mm"], strict=True
+    ):
+        number = contours["slice_offsets"][slab + 1] + contour
+        points = contours["points"][contours["offsets"][number] : contours["offsets"][number + 1]]
+        length = np.hypot(*np.diff(points, axis=0, append=points[:1]).T).sum()
+        assert 0 <= begin < length
+        assert SETTINGS.regions.shortest_run * 0.7 <= end - begin <= length
+
+
+SHAPE = st.tuples(
+    st.sampled_from(["box", "sphere", "z"]), *[st.floats(0, 1)] * 3, st.floats(0.1, 0.6)
+)
+
+
+def shape_on(mesh, kind, x, y, z, size):
+    low, high = mesh.bounds
+    centre = low + np.array([x, y, z]) * (high - low)
+    reach = size * float(np.max(high - low)) / 2
+    if kind == "sphere":
+        return Sphere(centre_mm=centre.tolist(), radius_mm=reach)
+    if kind == "box":
+        return Box(low_mm=(centre - reach).tolist(), high_mm=(centre + reach).tolist())
+    return ZRange(low_mm=centre[2] - reach, high_mm=centre[2] + reach)
+
+
+def certified_or_refused_by_name(vertices, faces, marks):
+    mesh = Mesh.from_arrays(vertices, faces)
+    region = Region()
+    for erase, mark in marks:
+        shape = shape_on(mesh, *mark)
+        region = region.erase(shape) if erase else region.add(shape)
+    made = make(mesh, SETTINGS, region, compare=False)
+    if not made.certificate.ok:
+        # Only where the wire alone breaks the rules, and then all of it stays wire.
+        assert not make(mesh, SETTINGS, compare=False).certificate.ok
+    if region:
+        report = made.figures()["regions"]
+        assert all(run["reason"] and run["help"] for run in report["dropped"])
+
+
+few = settings(max_examples=8, suppress_health_check=[HealthCheck.too_slow])
+MARKS = st.lists(st.tuples(st.booleans(), SHAPE), min_size=1, max_size=3)
+
+
+@few
+@given(st.lists(st.floats(6, 30), min_size=2, max_size=4), st.integers(2, 7), MARKS, st.data())
+def test_random_regions_on_random_towers(radii, lobes, marks, data):
+    steps = len(radii) - 1
+    heights = data.draw(st.lists(st.floats(2, 15), min_size=steps, max_size=steps))
+    certified_or_refused_by_name(*tower(radii, heights, lobes, 0.25), marks)
+
+
+@few
+@given(st.lists(BALL, min_size=1, max_size=5), MARKS)
+def test_random_regions_on_random_blobs(balls, marks):
+    try:
+        vertices, faces = blob(balls)
+    except ValueError:
+        assume(False)
+    certified_or_refused_by_name(vertices, faces, marks)

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     Ints = npt.NDArray[np.int64]
     Bools = npt.NDArray[np.bool_]
 
-#: What is this part of a strand away still touches.
+#: What is this part of a strand away, in plan, touches on the same layer, and on a neighbour.
+_TOUCH_BESIDE = 0.98
 _TOUCH = 0.9
 #: The same for the rim of a slab, whose strand may stray by half its diameter.
 _TOUCH_RIM = 0.45
@@ -26,6 +27,8 @@ _TOUCH_RIM = 0.45
 _STEP = 0.4
 #: An outer wall is at most this part of a strand behind the surface, with any inset.
 _OUTER = 0.6
+#: No model is as wide, mm.
+_APART_MM = 1e4
 #: Most times that all lines are gone through.
 _PASSES = 4
 #: What is left of a line must be this many strands long.
@@ -96,37 +99,34 @@ class _Ground:
         is_rim, on_bed = cut.is_last()[layer], layer == 0
         self.strand_mm = strand_mm
         self.order = line[own]
-        self.line_layer = self.layer[line[own]]
-        self.lines = _tree([np.stack([route.points[own, :2], route.points[own + 1, :2]], axis=1)])
-        self.contours, self.contour_layer = _tree([contours]), layer
-        self.rims = _tree([contours[is_rim], contours[on_bed], rims[0]])
-        self.rim_layer = np.concatenate([layer[is_rim], layer[on_bed] - 1, rims[1]])
+        ends = np.stack([route.points[own, :2], route.points[own + 1, :2]], axis=1)
+        self.lines = _Layers(ends, self.layer[line[own]])
+        self.contours = _Layers(contours, layer)
+        self.rims = _Layers(
+            np.concatenate([contours[is_rim], contours[on_bed], rims[0]]),
+            np.concatenate([layer[is_rim], layer[on_bed] - 1, rims[1]]),
+        )
 
     def holds(self, points: Floats, line: Ints) -> Bools:
         """Tell which points lie on what is there before the lines of these numbers."""
         held = np.zeros(len(points), dtype=bool)
-        asked, found = self._near(self.lines, points, _TOUCH)
-        own, other = self.layer[line[asked]], self.line_layer[found]
-        earlier = (other == own) & (self.order[found] < line[asked])
-        held[asked[(other == own - 1) | earlier]] = True
-        asked, found = self._near(self.rims, points, _TOUCH_RIM)
-        held[asked[self.rim_layer[found] == self.layer[line[asked]] - 1]] = True
+        layer, touch = self.layer[line], _TOUCH * self.strand_mm
+        beside = _TOUCH_BESIDE * self.strand_mm
+        held[self.lines.near(points, layer - 1, touch)[0]] = True
+        asked, found = self.lines.near(points, layer, beside)
+        held[asked[self.order[found] < line[asked]]] = True
+        held[self.rims.near(points, layer - 1, _TOUCH_RIM * self.strand_mm)[0]] = True
         return held
 
     def meets(self, points: Floats, line: Ints) -> Bools:
         """Tell which points lie on something there before or after these lines."""
         met = self.holds(points, line)
-        asked, found = self._near(self.lines, points, _TOUCH)
-        own, other = self.layer[line[asked]], self.line_layer[found]
-        later = (other == own) & (self.order[found] > line[asked])
-        met[asked[(other == own + 1) | later]] = True
+        layer, touch = self.layer[line], _TOUCH * self.strand_mm
+        beside = _TOUCH_BESIDE * self.strand_mm
+        met[self.lines.near(points, layer + 1, touch)[0]] = True
+        asked, found = self.lines.near(points, layer, beside)
+        met[asked[self.order[found] > line[asked]]] = True
         return met
-
-    def _near(self, tree: shapely.STRtree, points: Floats, touch: float) -> tuple[Ints, Ints]:
-        asked, found = tree.query(
-            shapely.points(points), predicate="dwithin", distance=touch * self.strand_mm
-        )
-        return asked, found
 
     def mended(self, points: Floats, line: int) -> list[Floats]:
         """Return what is left of a line, in parts that begin on something."""
@@ -153,8 +153,8 @@ class _Ground:
 
     def _is_outer(self, places: Floats, line: int) -> bool:
         """Tell whether most of a line is nearer to its layer's contours than a second wall is."""
-        asked, found = self._near(self.contours, places, _OUTER)
-        own = np.unique(asked[self.contour_layer[found] == self.layer[line]])
+        layer = np.full(len(places), self.layer[line])
+        own = np.unique(self.contours.near(places, layer, _OUTER * self.strand_mm)[0])
         return 2 * len(own) > len(places)
 
     @property
@@ -181,8 +181,25 @@ class _Path:
         return [part if begin <= end else part[::-1]]
 
 
-def _tree(segments: list[Floats]) -> shapely.STRtree:
-    return shapely.STRtree(shapely.linestrings(np.concatenate(segments)))
+class _Layers:
+    """Segments on many layers, found by layer and place."""
+
+    def __init__(self, segments: Floats, layer: Ints) -> None:
+        # One tree for all: the layers lie side by side.
+        self.tree = shapely.STRtree(shapely.linestrings(_aside(segments, layer)))
+
+    def near(self, points: Floats, layer: Ints, distance_mm: float) -> tuple[Ints, Ints]:
+        """Return pairs of a point and a segment on the layer asked for that are near enough."""
+        places = shapely.points(_aside(points, layer))
+        asked, found = self.tree.query(places, predicate="dwithin", distance=distance_mm)
+        return asked, found
+
+
+def _aside(points: Floats, layer: Ints) -> Floats:
+    """Move points of shape (N, …, 2) to where their layer lies in the plane."""
+    moved = points.copy()
+    moved[..., 0] += (_APART_MM * layer).reshape(-1, *[1] * (points.ndim - 2))
+    return moved
 
 
 def _segments(cut: Cut) -> tuple[Floats, Ints]:
