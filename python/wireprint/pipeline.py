@@ -88,14 +88,10 @@ class WirePrint:
             **self._verdict(),
             "repaired": report.repairs(self.mesh),
             "unprinted": report.unprinted(self.wireframe),
-            **self._regions(),
+            "regions": None if self.regions is None else report.regions(self.regions),
             "warnings": report.warnings(self.mesh),
             "timings_s": self.timings_s,
         }
-
-    def _regions(self) -> dict[str, Any]:
-        """Return what was marked and what came of it."""
-        return {} if self.regions is None else {"regions": report.regions(self.regions)}
 
     def _verdict(self) -> dict[str, Any]:
         """Return whether the file keeps the rules, and how faithful it is."""

@@ -44,8 +44,8 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
             f"{part['area_mm2']:.0f} mm² at z {part['low_mm']:.1f}–{part['high_mm']:.1f} mm "
             f"({part['reason'].replace('_', ' ')}): {part['help']}",
         )
-    if "regions" in figures:
-        yield from _of_regions(figures["regions"])
+    if (regions := figures["regions"]) is not None:
+        yield from _of_regions(regions)
     for sentence in figures["warnings"]:
         yield _row("note", sentence)
 

@@ -107,20 +107,23 @@ class _Ground:
             np.concatenate([layer[is_rim], layer[on_bed] - 1, rims[1]]),
         )
 
-    def holds(self, points: Floats, line: Ints) -> Bools:
-        """Tell which points lie on what is there before the lines of these numbers."""
+    def holds(self, points: Floats, line: Ints, rim: float = _TOUCH_RIM) -> Bools:
+        """Tell which points lie on what is there before the lines of these numbers.
+
+        Rims count that are at most the part `rim` of a strand away.
+        """
         held = np.zeros(len(points), dtype=bool)
         layer, touch = self.layer[line], _TOUCH * self.strand_mm
         beside = _TOUCH_BESIDE * self.strand_mm
         held[self.lines.near(points, layer - 1, touch)[0]] = True
         asked, found = self.lines.near(points, layer, beside)
         held[asked[self.order[found] < line[asked]]] = True
-        held[self.rims.near(points, layer - 1, _TOUCH_RIM * self.strand_mm)[0]] = True
+        held[self.rims.near(points, layer - 1, rim * self.strand_mm)[0]] = True
         return held
 
     def meets(self, points: Floats, line: Ints) -> Bools:
         """Tell which points lie on something there before or after these lines."""
-        met = self.holds(points, line)
+        met = self.holds(points, line, _TOUCH)
         layer, touch = self.layer[line], _TOUCH * self.strand_mm
         beside = _TOUCH_BESIDE * self.strand_mm
         met[self.lines.near(points, layer + 1, touch)[0]] = True
@@ -136,6 +139,8 @@ class _Ground:
         places = shapely.get_coordinates(shapely.line_interpolate_point(string, along))
         lines = np.full(len(places), line)
         held, met = self.holds(places, lines), self.meets(places, lines)
+        if not held.any():
+            held = self.holds(places, lines, _TOUCH)
         if not held.any():
             # Without an outer wall there is no region; what is behind it can be done without.
             return [points] if self._is_outer(places, line) else []
