@@ -53,7 +53,8 @@ def anchored(route: Route, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float
     -------
     Route
         The same lines, turned round or parted where that lets them begin on something, cut off
-        behind the last place that holds them. One that nothing holds anywhere stays as it is.
+        behind the last place that holds them. Outer walls that nothing holds come last on their
+        layers.
     """
     # What is cut off may have held what is printed later.
     for _ in range(_PASSES):
@@ -73,13 +74,19 @@ def _mended(route: Route, ground: _Ground) -> Route:
         return route
     pieces: list[Floats] = []
     layers: list[Ints] = []
+    late: list[Floats] = []
     changed = False
     for line in lines:
-        points = route.points[begins[line] : ends[line]]
+        points, layer = route.points[begins[line] : ends[line]], ground.layer[line]
         parts = ground.mended(points, int(line)) if loose[line] else [points]
+        if parts is None:
+            late.append(points)
+            parts = []
         changed |= len(parts) != 1 or not np.array_equal(parts[0], points)
+        if line == lines[-1] or ground.layer[line + 1] != layer:
+            parts, late = [*parts, *late], []
         pieces += parts
-        layers += [np.full(len(part), ground.layer[line]) for part in parts]
+        layers += [np.full(len(part), layer) for part in parts]
     if not (pieces and changed):
         return route
     offsets = np.concatenate([[0], np.cumsum([len(part) for part in pieces])]).astype(np.int64)
@@ -131,8 +138,11 @@ class _Ground:
         met[asked[self.order[found] > line[asked]]] = True
         return met
 
-    def mended(self, points: Floats, line: int) -> list[Floats]:
-        """Return what is left of a line, in parts that begin on something."""
+    def mended(self, points: Floats, line: int) -> list[Floats] | None:
+        """Return what is left of a line, in parts that begin on something.
+
+        None: nothing holds it yet, but the other lines of its layer may.
+        """
         string = shapely.LineString(points[:, :2])
         count = int(string.length / (_STEP * self.strand_mm)) + 1
         along = np.linspace(0.0, string.length, count + 1)
@@ -142,8 +152,8 @@ class _Ground:
         if not held.any():
             held = self.holds(places, lines, _TOUCH)
         if not held.any():
-            # Without an outer wall there is no region; what is behind it can be done without.
-            return [points] if self._is_outer(places, line) else []
+            # An outer wall may lean on the fill behind it; others can be done without.
+            return None if self._is_outer(places, line) else []
         first, last = np.flatnonzero(met)[[0, -1]]
         path = _Path(points)
         if held[first]:

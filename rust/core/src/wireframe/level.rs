@@ -88,7 +88,7 @@ impl Build<'_> {
             }
             return rim;
         }
-        if self.are_layers(level, &ledge.lower) && self.is_within(curve, level, &ledge.lower) {
+        if self.are_layers(level, &ledge.lower) && self.is_within(curve, level) {
             return Some(closed_rim(curve, z));
         }
         let lifted = z + LIFT * self.p.strand;
@@ -108,9 +108,9 @@ impl Build<'_> {
         lower.iter().all(|i| all.contains(i))
     }
 
-    /// Whether a contour lies within an odd number of those that end the slab below, or on them.
-    fn is_within(&self, curve: &Curve, level: usize, lower: &[u32]) -> bool {
-        let below = || lower.iter().map(|&i| &self.sliced.lower[level][i as usize]);
+    /// Whether a contour lies on what is solid where the slab below ends, or on its contours.
+    fn is_within(&self, curve: &Curve, level: usize) -> bool {
+        let below = || self.sliced.lower[level].iter().filter(|c| !c.support);
         let rims: Vec<Rim> = below()
             .filter_map(|c| Curve::new(&c.points, c.closed))
             .map(|curve| closed_rim(&curve, 0.0))
