@@ -14,6 +14,7 @@ use super::posts::Post;
 use super::rim::Rim;
 use super::slab::Top;
 use super::strips::Strip;
+use super::trial::{Costs, costs};
 use super::waiting::Waiting;
 use super::{Kind, Layered, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
 use crate::head::Head;
@@ -22,7 +23,7 @@ use crate::head::Head;
 const BED_FOLLOW: f64 = 0.05;
 
 /// What stands at one height: the rims by contour, and the strands that close faces there.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Ground {
     /// Rim of each contour, if it is printed.
     pub rims: Vec<Option<Rim>>,
@@ -59,6 +60,12 @@ pub struct Build<'a> {
     pub(super) posts: Vec<PlacedPost>,
     pub(super) unprinted: Vec<Unprinted>,
     pub(super) wants: Wants,
+    /// How far contours stray that become straight between their posts, times their length, mm².
+    pub(super) sag: f64,
+    /// Whether slabs are tried in several orders.
+    pub(super) searching: bool,
+    /// Whether a slab wants that.
+    pub(super) wanting: bool,
 }
 
 /// What a pass of the build comes to.
@@ -67,39 +74,85 @@ struct Laid {
     strands: Vec<Strand>,
     unprinted: Vec<Unprinted>,
     wants: Wants,
+    sag: f64,
+    wanting: bool,
 }
 
-/// Lays the strands of a sliced model, those of `layered` among them; a second pass adds supports
-/// where the first one found that they are needed.
+impl Laid {
+    fn costs(&self) -> Costs {
+        costs(None, &self.strands, &self.unprinted, self.wants.columns.len(), self.sag)
+    }
+
+    /// Whether it leaves out less than another, or costs less and does not take longer.
+    fn is_better(&self, other: &Self) -> bool {
+        let ([area, cost, time], [other_area, other_cost, other_time]) =
+            (self.costs(), other.costs());
+        area < other_area || area == other_area && cost < other_cost && time <= other_time
+    }
+}
+
+/// Lays the strands of a sliced model, those of `layered` among them: always the nearest contour
+/// first and, where slabs want that, also in the best order of each slab; what is better as a whole
+/// is kept.
 #[must_use]
-pub fn build(mut sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
-    let mut laid = lay(&sliced, layered, head, p);
+pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
+    let mut found = settled(sliced.clone(), layered, head, p, false);
+    if found.1.wanting {
+        let searched = settled(sliced, layered, head, p, true);
+        if searched.1.is_better(&found.1) {
+            found = searched;
+        }
+    }
+    let (sliced, laid) = found;
+    let Laid { posts, strands, unprinted, .. } = laid;
+    Wireframe { posts, strands, unprinted, sliced }
+}
+
+/// Lays the strands; a second pass adds supports where the first one found that they are needed.
+fn settled(
+    mut sliced: Sliced,
+    layered: &Layered,
+    head: &Head,
+    p: &WireParams,
+    searching: bool,
+) -> (Sliced, Laid) {
+    let mut laid = lay(&sliced, layered, head, p, searching);
     if !p.supports {
         laid.wants.columns.clear();
     }
     if !(laid.wants.columns.is_empty() && laid.wants.roofs.is_empty()) {
         columns::add(&mut sliced, &laid.wants);
-        laid = lay(&sliced, layered, head, p);
+        laid = lay(&sliced, layered, head, p, searching);
     }
-    let Laid { posts, strands, unprinted, .. } = laid;
-    Wireframe { posts, strands, unprinted, sliced }
+    (sliced, laid)
 }
 
-fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Laid {
+fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams, searching: bool) -> Laid {
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(1.0, f64::max);
     let out = Builder::new(head, p.strand, head.clearance(tallest), low, high);
-    let (posts, unprinted, wants) = (Vec::new(), Vec::new(), Wants::default());
     let slabs = 0..sliced.levels.len().saturating_sub(1);
     let tops: Vec<Top> = slabs
         .into_par_iter()
         .map(|slab| Top::new(sliced, layered.slab(slab), head, slab))
         .collect();
-    let tops = &tops;
-    let mut build = Build { sliced, layered, p, head, tops, out, posts, unprinted, wants };
+    let mut build = Build {
+        sliced,
+        layered,
+        p,
+        head,
+        tops: &tops,
+        out,
+        posts: Vec::new(),
+        unprinted: Vec::new(),
+        wants: Wants::default(),
+        sag: 0.0,
+        searching,
+        wanting: false,
+    };
     build.run();
-    let Build { out, posts, unprinted, wants, .. } = build;
-    Laid { posts, strands: out.strands, unprinted, wants }
+    let Build { out, posts, unprinted, wants, sag, wanting, .. } = build;
+    Laid { posts, strands: out.strands, unprinted, wants, sag, wanting }
 }
 
 impl Build<'_> {

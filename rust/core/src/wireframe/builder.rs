@@ -118,6 +118,14 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Prints strands once more, as they were.
+    pub fn again(&mut self, strands: Vec<Strand>) {
+        for strand in &strands {
+            self.material.add(strand.from, strand.to);
+        }
+        self.strands.extend(strands);
+    }
+
     /// Prints a polyline.
     pub fn polyline(&mut self, points: &[DVec3], kind: Kind) {
         for pair in points.windows(2) {

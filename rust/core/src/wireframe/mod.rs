@@ -16,6 +16,8 @@ mod segments;
 mod slab;
 mod sliced;
 pub mod strips;
+mod tour;
+mod trial;
 mod waiting;
 mod walls;
 pub mod zigzag;

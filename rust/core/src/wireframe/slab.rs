@@ -9,6 +9,8 @@ use super::layered::{self, LayeredSlab, Piece};
 use super::posts::Post;
 use super::rim::{Footing, Rim};
 use super::strips::Strip;
+use super::tour::tour;
+use super::trial::Order;
 use super::waiting::{Waiting, bounds};
 use super::walls::Walls;
 use super::zigzag::{Step, ZigzagInput, zigzag};
@@ -31,12 +33,14 @@ pub struct Job {
     pub strip: usize,
 }
 
+/// Contours that stray less than this on average are near enough to try no other order, mm.
+const NEAR: f64 = 0.15;
 /// A strip with more than this share of its area in plan leans more than it stands.
 const LEANING: f64 = 0.9;
 
 /// What all contours at the top of one slab share; depends on the slices alone.
 pub struct Top {
-    slab: usize,
+    pub(super) slab: usize,
     z: f64,
     /// The contours, and behind them the wire pieces of those that are layers in part.
     curves: Vec<Option<Curve>>,
@@ -89,22 +93,72 @@ fn all_layers<'a>(
 impl Build<'_> {
     /// Prints one slab; gives what stands at its top.
     pub(super) fn slab(&mut self, slab: usize, ground: &mut Ground) -> Ground {
-        let (layers, tops) = (self.layered.slab(slab), self.tops);
-        self.out.begin_slab(slab as u32, layers.map_or(&[], |l| &l.lines));
+        let tops = self.tops;
         let top = &tops[slab];
-        let z = top.z;
-        let mut printed = Ground { rims: vec![None; top.curves.len()], lines: Vec::new() };
         let jobs = self.jobs(top, &ground.rims);
-        self.print_crowded_rims(top, &jobs, ground);
+        let near = NEAR * top.curves.iter().flatten().map(Curve::length).sum::<f64>();
+        let alone = jobs.len() < 2 || self.layered.slab(slab).is_some();
+        if self.searching && !alone {
+            return self.best_order(top, &jobs, ground, near);
+        }
+        let mark = self.mark();
+        let printed = self.slab_in(Order::Nearest, top, &jobs, ground);
+        self.wanting |= !alone && !self.is_whole(&mark, near);
+        printed
+    }
+
+    /// The contours in the order in which they are to be printed; none where that shows on the way.
+    fn ranks(&self, order: Order, jobs: &[Job], ground: &Ground) -> Option<Vec<usize>> {
+        let (low, high): (Vec<DVec2>, Vec<DVec2>) =
+            jobs.iter().map(|job| bounds(plans(job, ground).into_iter().flatten())).unzip();
+        let extent = |i: usize| (high[i] - low[i]).max_element();
+        let mut ranks: Vec<usize> = (0..jobs.len()).collect();
+        match order {
+            Order::Nearest => return None,
+            Order::Tour => {
+                let carried: Vec<usize> =
+                    ranks.iter().copied().filter(|&i| extent(i) >= 0.0).collect();
+                let middles: Vec<DVec2> =
+                    carried.iter().map(|&i| low[i].midpoint(high[i])).collect();
+                let way = tour(self.place(), &middles);
+                let rest = ranks.into_iter().filter(|&i| extent(i) < 0.0);
+                ranks = way.into_iter().map(|k| carried[k]).chain(rest).collect();
+            }
+            Order::InsideOut => ranks.sort_by(|&a, &b| extent(a).total_cmp(&extent(b))),
+            Order::OutsideIn => ranks.sort_by(|&a, &b| extent(b).total_cmp(&extent(a))),
+        }
+        Some(ranks)
+    }
+
+    /// Prints one slab in one order.
+    pub(super) fn slab_in(
+        &mut self,
+        order: Order,
+        top: &Top,
+        jobs: &[Job],
+        ground: &mut Ground,
+    ) -> Ground {
+        let (slab, z) = (top.slab, top.z);
+        let layers = self.layered.slab(slab);
+        self.out.begin_slab(slab as u32, layers.map_or(&[], |l| &l.lines));
+        let mut printed = Ground { rims: vec![None; top.curves.len()], lines: Vec::new() };
+        self.print_crowded_rims(top, jobs, ground);
         let (mut waiting, mut loose, mut bare) = (Vec::new(), Vec::new(), Vec::new());
+        let mut ranks = self.ranks(order, jobs, ground).map(Vec::into_iter);
         let mut order = Waiting::new(jobs.iter().map(|job| plans(job, ground)).collect());
-        while let Some(next) = order.take_nearest(self.place()) {
+        loop {
+            let next = match &mut ranks {
+                Some(ranks) => ranks.next().inspect(|&next| order.take(next)),
+                None => order.take_nearest(self.place()),
+            };
+            let Some(next) = next else { break };
             let job = &jobs[next];
             let Some(curve) = &top.curves[job.curve] else { continue };
             let Some(standing) = self.posts_of(top, job, ground) else {
                 bare.push(job);
                 continue;
             };
+            self.sag += sag(curve, &standing);
             if self.is_loose(curve, &standing, z - self.sliced.levels[slab].z) {
                 loose.push(standing);
             } else if layers.is_some() || is_in_the_way(curve, &order, top.reach) {
@@ -426,6 +480,16 @@ fn held(posts: Vec<Post>, curve: &Curve, piece: &Piece, z: f64) -> Vec<Post> {
     let first = piece.meets[0].then(|| end(0.0));
     let last = piece.meets[1].then(|| end(curve.length()));
     first.into_iter().chain(posts).chain(last).collect()
+}
+
+/// How far a contour strays that becomes straight between its posts, mm, times its length, mm.
+fn sag(curve: &Curve, standing: &Standing) -> f64 {
+    let at = |s: f64| curve.station(standing.start, s.min(curve.length()));
+    let chord = |(begin, gap): (f64, f64)| {
+        let squares = at(begin).chord_error(&at(begin + gap));
+        (squares * gap).sqrt()
+    };
+    gaps(curve, &standing.posts).map(chord).sum()
 }
 
 /// The rims that carry a contour, as polylines of the plan.

@@ -11,7 +11,7 @@ use crate::slices::heights::{HeightParams, Level, choose_levels};
 use crate::slices::{Plane, Side};
 
 /// A model cut into slabs.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Sliced {
     /// Printed heights, bottom up.
     pub levels: Vec<Level>,

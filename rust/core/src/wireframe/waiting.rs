@@ -74,6 +74,11 @@ impl Waiting {
         Some(next)
     }
 
+    /// Takes a figure out of turn.
+    pub fn take(&mut self, figure: usize) {
+        self.taken[figure] = true;
+    }
+
     /// Whether the box of a waiting polyline comes nearer to a box than `reach` mm.
     #[must_use]
     pub fn is_near(&self, low: DVec2, high: DVec2, reach: f64) -> bool {
