@@ -22,6 +22,9 @@ use crate::head::Head;
 /// A contour printed on the bed follows the model to this, mm.
 const BED_FOLLOW: f64 = 0.05;
 
+/// Fewer slabs than one in so many are not worth looking for other orders.
+const FEW: usize = 10;
+
 /// What stands at one height: the rims by contour, and the strands that close faces there.
 #[derive(Clone, Default)]
 pub struct Ground {
@@ -64,8 +67,8 @@ pub struct Build<'a> {
     pub(super) sag: f64,
     /// Whether slabs are tried in several orders.
     pub(super) searching: bool,
-    /// Whether a slab wants that.
-    pub(super) wanting: bool,
+    /// Number of slabs that want that.
+    pub(super) wanting: usize,
 }
 
 /// What a pass of the build comes to.
@@ -75,7 +78,7 @@ struct Laid {
     unprinted: Vec<Unprinted>,
     wants: Wants,
     sag: f64,
-    wanting: bool,
+    wanting: usize,
 }
 
 impl Laid {
@@ -97,7 +100,7 @@ impl Laid {
 #[must_use]
 pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
     let mut found = settled(sliced.clone(), layered, head, p, false);
-    if found.1.wanting {
+    if found.1.wanting > 0 && found.1.wanting >= sliced.strips.len() / FEW {
         let searched = settled(sliced, layered, head, p, true);
         if searched.1.is_better(&found.1) {
             found = searched;
@@ -148,7 +151,7 @@ fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams, searchin
         wants: Wants::default(),
         sag: 0.0,
         searching,
-        wanting: false,
+        wanting: 0,
     };
     build.run();
     let Build { out, posts, unprinted, wants, sag, wanting, .. } = build;

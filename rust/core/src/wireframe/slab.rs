@@ -103,7 +103,7 @@ impl Build<'_> {
         }
         let mark = self.mark();
         let printed = self.slab_in(Order::Nearest, top, &jobs, ground);
-        self.wanting |= !alone && !self.is_whole(&mark, near);
+        self.wanting += usize::from(!alone && !self.is_whole(&mark, near));
         printed
     }
 
