@@ -90,6 +90,19 @@ def test_towers(certified_or_refused, radii, data, lobes, depth, way):
     certified_or_refused(*tower(radii, heights, lobes, depth), way)
 
 
+def test_what_is_too_flat_to_be_followed_is_named():
+    # A disc's rim that is half as thick as the lowest slab, around a stem.
+    mesh = Mesh.from_arrays(*tower([10, 10, 30, 10, 10], [20, 0.6, 0.6, 20], 2, 0.0))
+    figures = make(mesh, Settings.load()).figures()
+    assert figures["certified"]
+    assert figures["coverage"] < 0.95
+    [part] = figures["unprinted"]
+    assert part["reason"] == "not_covered"
+    assert part["low_mm"] > 15
+    assert part["high_mm"] < 25
+    assert part["area_mm2"] > 0.05 * mesh.area
+
+
 BALL = st.tuples(*[st.floats(-22, 22)] * 3, st.floats(5, 15))
 
 

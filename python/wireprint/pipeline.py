@@ -87,11 +87,19 @@ class WirePrint:
             "print_time_s": self.estimate.total_s,
             **self._verdict(),
             "repaired": report.repairs(self.mesh),
-            "unprinted": report.unprinted(self.wireframe),
+            "unprinted": self._unprinted(),
             "regions": None if self.regions is None else report.regions(self.regions),
             "warnings": report.warnings(self.mesh),
             "timings_s": self.timings_s,
         }
+
+    def _unprinted(self) -> list[report.Unprinted]:
+        """List what is not printed: what planning left out or, unless it was told, what is bare."""
+        named = report.unprinted(self.wireframe)
+        fidelity = None if self.certificate is None else self.certificate.fidelity
+        if named or fidelity is None or not self.settings.wire.caps:
+            return named
+        return report.uncovered(fidelity, self.mesh.area)
 
     def _verdict(self) -> dict[str, Any]:
         """Return whether the file keeps the rules, and how faithful it is."""

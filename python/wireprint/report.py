@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from wireprint._core import Mesh, Wireframe
+    from wireprint.certificate import Fidelity
     from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.runs import Section
 
@@ -70,6 +71,7 @@ class Regions(TypedDict):
 
 #: Why something is not printed → what would help.
 _HELP: Final = {
+    "not_covered": "turn the model (--orient auto), or set lower slabs (--slab-min)",
     "mid_air": "turn the model, or print it with --supports wire",
     "no_foothold": "print it larger, with a smaller nozzle, or with lower slabs",
     "wide_span": "turn the model, or raise wire.span_limit_mm if your material holds it",
@@ -86,6 +88,12 @@ _REGION_HELP: Final = {
     "no_room": "turn or move the model away from the edge of the bed",
     "unproved": "mark less, or something simpler",
 }
+
+
+#: A print that leaves more than this share of the surface bare has its bare patches named …
+_BARE_SHARE: Final = 0.05
+#: … if they are larger than this share of it.
+_PATCH_SHARE: Final = 0.01
 
 
 def repairs(mesh: Mesh) -> list[str]:
@@ -136,6 +144,32 @@ def _run(run: Section) -> Run:
         "area_mm2": run.area_mm2,
         "place_mm": run.place_mm,
     }
+
+
+def uncovered(fidelity: Fidelity, area_mm2: float) -> list[Unprinted]:
+    """List the patches that the certificate finds bare, where they come to more than a little.
+
+    Parameters
+    ----------
+    fidelity
+        What the certificate measured.
+    area_mm2
+        The model's surface.
+    """
+    if 1.0 - fidelity.coverage <= _BARE_SHARE:
+        return []
+    return [
+        {
+            "reason": "not_covered",
+            "low_mm": patch.low_mm[2],
+            "high_mm": patch.high_mm[2],
+            "area_mm2": patch.area_mm2,
+            "place_mm": patch.centroid_mm,
+            "help": _HELP["not_covered"],
+        }
+        for patch in fidelity.uncovered
+        if patch.area_mm2 > _PATCH_SHARE * area_mm2
+    ]
 
 
 def _sentences(counts: Mapping[str, int], wordings: Mapping[str, str]) -> list[str]:
