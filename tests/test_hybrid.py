@@ -147,7 +147,10 @@ def test_all_marked_is_an_ordinary_layer_print(models):
     plain = layered(areas(cube, recipe.layer_mm, recipe.resolution_mm), recipe)
     layers = len(made.regions.plan.cut.z)
     per_layer_mm = plain.figures()["strand_mm"] / 140
-    assert made.regions.layer_wise_mm / layers == pytest.approx(per_layer_mm, rel=0.01)
+    lines = strands(made, LAYERWISE)
+    above = lines[lines[:, 0, 2] > chosen.first_layer_height_mm]
+    length_mm = np.linalg.norm(above[:, 1] - above[:, 0], axis=1).sum()
+    assert length_mm / layers == pytest.approx(per_layer_mm, rel=0.01)
     kinds = set(made.wireframe.strand_kinds.tolist())
     assert kinds <= {LAYERWISE, CONTOUR, CAP}
     assert strands(made, CONTOUR)[..., 2].max() == chosen.first_layer_height_mm
@@ -232,3 +235,13 @@ def test_random_regions_on_random_blobs(balls, marks):
     except ValueError:
         assume(False)
     certified_or_refused_by_name(vertices, faces, marks)
+
+
+def test_a_marked_lid_is_closed_side_by_side_though_its_walls_are_wire(models):
+    made = printed(models("cube"), ZRange(low_mm=27.9))
+    assert made.certificate.ok
+    lid = strands(made, LAYERWISE)
+    assert set(lid[..., 2].ravel()) == {28.0}
+    area = np.linalg.norm(lid[:, 1] - lid[:, 0], axis=1).sum() * SETTINGS.printer.head.nozzle_mm
+    assert area == pytest.approx(28 * 28, rel=0.1)
+    assert len(strands(made, POST)) == len(strands(make(models("cube"), SETTINGS), POST))

@@ -379,6 +379,8 @@ class _Layered(TypedDict):
     offsets: npt.NDArray[np.int64]
     line_slabs: npt.NDArray[np.int64]
     line_flows: npt.NDArray[np.float64]
+    flats: npt.NDArray[np.float64]
+    flats_marked: npt.NDArray[np.bool_]
 
 class _Contours(TypedDict):
     points: npt.NDArray[np.float64]

@@ -56,6 +56,8 @@ def anchored(route: Route, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float
         behind the last place that holds them. Outer walls that nothing holds come last on their
         layers.
     """
+    if len(route.offsets) < 2:
+        return route
     # What is cut off may have held what is printed later.
     for _ in range(_PASSES):
         mended = _mended(route, _Ground(route, cut, rims, strand_mm))

@@ -116,7 +116,7 @@ class Samples:
         begin = along[which] + rank * share
         middle = cut.points[which] + steps[which] * ((rank + 0.5) / count[which])[:, None]
         layer = cut.layer[contour[which]]
-        normal = _normals(mesh)[cut.face[which]]
+        normal = normals_of(mesh)[cut.face[which]]
         steep = np.maximum(np.hypot(normal[:, 0], normal[:, 1]), _FLATTEST)
         return cls(
             contour[which],
@@ -128,7 +128,7 @@ class Samples:
         )
 
 
-def _normals(mesh: Mesh) -> Floats:
+def normals_of(mesh: Mesh) -> Floats:
     """Return the unit normals of all faces, shape (F, 3); upwards for a face without area."""
     a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
     normals: Floats = np.cross(b - a, c - a)

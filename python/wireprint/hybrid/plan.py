@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from wireprint.hybrid.anchor import anchored
-from wireprint.hybrid.cut import Cut, Samples
+from wireprint.hybrid.cut import Cut, Samples, normals_of
+from wireprint.hybrid.flats import Flats
 from wireprint.hybrid.lines import route
 from wireprint.hybrid.runs import Runs, Section, runs_of
 from wireprint.layerwise.recipe import Recipe
+from wireprint.layerwise.route import Route
 from wireprint.stages import line_section_mm2
 
 if TYPE_CHECKING:
@@ -32,6 +34,7 @@ class Plan:
     cut: Cut
     samples: Samples
     runs: Runs
+    flats: Flats
     #: The contours that slabs begin with, as segments of shape (S, 2, 2), mm, and the layers that
     #: end at their heights, shape (S,).
     rims: tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]
@@ -68,7 +71,8 @@ class Plan:
         slope = math.tan(math.radians(head.slant_deg))
         gap_mm = 2 * (head.tip_radius_mm + np.diff(wireframe.levels[:, 0]) / slope)
         runs = runs_of(cut, samples, covered, born, least_mm, np.maximum(gap_mm, least_mm))
-        return cls(cut, samples, runs, _rims(cut, wireframe), settings)
+        flats = Flats.of(mesh, normals_of(mesh), region)
+        return cls(cut, samples, runs, flats, _rims(cut, wireframe), settings)
 
     @property
     def sections(self) -> tuple[Section, ...]:
@@ -84,8 +88,9 @@ class Plan:
         regions, printer = self.settings.regions, self.settings.printer
         recipe = Recipe.of(regions, printer)
         lines = route(self.cut, self.samples, self.runs, recipe, regions.inset * recipe.width_mm)
-        if lines is None:
+        if lines is None and not self.flats.marked.any():
             return None
+        lines = lines or Route.empty()
         lines = anchored(lines, self.cut, self.rims, printer.head.nozzle_mm)
         layer = lines.layer[lines.offsets[:-1]]
         strand_mm2 = math.pi / 4 * printer.head.nozzle_mm**2
@@ -101,6 +106,8 @@ class Plan:
             "offsets": lines.offsets,
             "line_slabs": self.cut.slab[layer],
             "line_flows": section_mm2[layer] / strand_mm2,
+            "flats": self.flats.points,
+            "flats_marked": self.flats.marked,
         }
 
 

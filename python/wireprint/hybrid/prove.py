@@ -118,6 +118,8 @@ def _blamed(plan: Plan, verdict: Certificate, settings: Settings) -> dict[int, s
     middles = plan.samples.middle[painted]
     centre = np.array([*settings.printer.bed.centre_mm, 0.0])
     blamed: dict[int, str] = {}
+    if not len(painted):
+        return blamed
     for name, breaches in verdict.breaches().items():
         for breach in breaches:
             place = np.array(getattr(breach, _PLACES[name])) - centre

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
@@ -30,6 +30,11 @@ class Route:
     layer: Ints
     #: Line i has the points ``offsets[i]:offsets[i + 1]``, shape (N + 1,).
     offsets: Ints
+
+    @classmethod
+    def empty(cls) -> Self:
+        """Return a route without lines."""
+        return cls(np.zeros((0, 3)), np.zeros(0, np.int64), np.zeros(1, np.int64))
 
 
 def routed(

@@ -23,6 +23,8 @@ pub struct LayeredArgs<'py> {
     offsets: PyReadonlyArray1<'py, i64>,
     line_slabs: PyReadonlyArray1<'py, i64>,
     line_flows: PyReadonlyArray1<'py, f64>,
+    flats: PyReadonlyArray2<'py, f64>,
+    flats_marked: PyReadonlyArray1<'py, bool>,
 }
 
 impl LayeredArgs<'_> {
@@ -51,6 +53,9 @@ impl LayeredArgs<'_> {
             let (number, line) = self.line(line)?;
             slab(&mut layered, "line_slabs", number)?.lines.push(line);
         }
+        let flats = self.flats.as_array();
+        let flats = flats.rows().into_iter().map(|row| DVec3::new(row[0], row[1], row[2]));
+        layered.flats = flats.zip(self.flats_marked.as_array().iter().copied()).collect();
         Ok(layered)
     }
 
@@ -61,6 +66,7 @@ impl LayeredArgs<'_> {
             ("stretches", self.stretches.shape()[1], 2),
             ("stretch_spans", self.stretch_spans.shape()[1], 2),
             ("points", self.points.shape()[1], 3),
+            ("flats", self.flats.shape()[1], 3),
         ];
         if let Some((name, found, wanted)) = columns.iter().find(|(_, a, b)| a != b) {
             return Err(wrong(name, &format!("of {wanted} columns, not {found}")));
@@ -68,6 +74,7 @@ impl LayeredArgs<'_> {
         let lengths = [
             ("stretch_spans", self.stretch_spans.shape()[0], self.stretches.shape()[0]),
             ("line_flows", self.line_flows.len(), lines),
+            ("flats_marked", self.flats_marked.len(), self.flats.shape()[0]),
             ("offsets", self.offsets.len(), lines + 1),
         ];
         if let Some((name, found, wanted)) = lengths.iter().find(|(_, a, b)| a != b) {

@@ -56,7 +56,9 @@ fn speed(strand: &Strand, p: &PathParams) -> f64 {
     let on_bed = strand.from.z.max(strand.to.z) <= p.first_layer + 1e-9;
     match p.strategy {
         _ if on_bed => p.bed_speed,
-        _ if strand.kind == Kind::LayerWise => p.layer_speed,
+        _ if strand.kind == Kind::LayerWise => {
+            p.layer_speed.min(p.print_speed / strand.flow.max(f64::MIN_POSITIVE))
+        }
         Strategy::Slow if strand.floating || strand.slab_rises() => p.slow_speed,
         _ => p.print_speed,
     }

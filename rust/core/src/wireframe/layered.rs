@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use super::Sliced;
 use super::curve::{Curve, simplify};
 use super::rim::Rim;
+use crate::contours::polygon;
 use crate::error::{CoreError, Result};
 
 /// A stretch of a contour; it may run on past the contour's first point.
@@ -44,6 +45,8 @@ pub struct LayeredSlab {
 pub struct Layered {
     /// The slabs.
     pub slabs: Vec<LayeredSlab>,
+    /// Points on level faces, mm, each standing for an equal area, and whether it is marked.
+    pub flats: Vec<(DVec3, bool)>,
 }
 
 impl Layered {
@@ -74,6 +77,18 @@ impl Layered {
             }
         }
         Ok(())
+    }
+
+    /// Whether at least half of the points on level faces between two heights, in the region
+    /// within an odd number of the closed `rims`, are marked.
+    #[must_use]
+    pub fn has_flat(&self, rims: &[Vec<DVec2>], low: f64, high: f64) -> bool {
+        let level = self.flats.iter().filter(|(p, _)| (low..=high).contains(&p.z));
+        let within =
+            |p: DVec2| rims.iter().filter(|rim| polygon::contains(rim, p)).count() % 2 == 1;
+        let votes = level.filter(|(p, _)| within(p.truncate()));
+        let (marked, all) = votes.fold((0, 0), |n, (_, is)| (n.0 + i32::from(*is), n.1 + 1));
+        all > 0 && 2 * marked >= all
     }
 
     /// Whether a strip is layers through and through.

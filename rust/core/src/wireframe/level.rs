@@ -1,6 +1,8 @@
 //! One level: from the contours that end a slab to those that begin the next, and the faces
 //! that are closed there.
 
+use std::f64::consts::FRAC_PI_4;
+
 use glam::DVec2;
 
 use super::build::{Build, Ground};
@@ -12,9 +14,12 @@ use super::rim::{Footing, Rim};
 use super::strips::Strip;
 use super::{Kind, Reason};
 use crate::contours::{Contour, polygon};
+use crate::slices::heights::Level;
 
 /// A contour printed on top of another lies higher by this part of the strand's diameter.
 const LIFT: f64 = 0.4;
+/// Faces this near to a level lie in it, mm.
+const FLAT: f64 = 0.05;
 
 /// A strand's end this near to a rim, as a part of the strand's diameter, lies on it.
 pub const HELD: f64 = 0.25;
@@ -143,7 +148,7 @@ impl Build<'_> {
         }
         let rings: Vec<&Rim> =
             which.iter().filter_map(|&i| ground.rims[i as usize].as_ref()).collect();
-        let lines = self.fill(&rings, level == 0);
+        let lines = self.fill(&rings, level);
         ground.lines.extend(lines);
     }
 
@@ -167,34 +172,48 @@ impl Build<'_> {
         else {
             return;
         };
-        let lines = self.fill(&rings, false);
+        let lines = self.fill(&rings, level);
         printed.lines.extend(lines);
     }
 
     /// Prints strands from rim to rim in the region within an odd number of rims.
-    fn fill(&mut self, rings: &[&Rim], on_bed: bool) -> Vec<Rim> {
+    fn fill(&mut self, rings: &[&Rim], level: usize) -> Vec<Rim> {
         let rings: Vec<&Rim> =
             rings.iter().filter(|rim| rim.closed && rim.points.len() > 2).copied().collect();
         let Some(first) = rings.first().map(|rim| rim.points[0]) else { return Vec::new() };
         let plan: Vec<Vec<DVec2>> =
             rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
-        let longest = if on_bed { f64::INFINITY } else { self.p.span_limit };
+        let longest = if level == 0 { f64::INFINITY } else { self.p.span_limit };
         let whole = rings.iter().all(|rim| rim.gaps.is_empty());
         let footing = Footing::new(&rings);
         let held = |end: DVec2| whole || footing.holds(end, HELD * self.p.strand);
-        let (lines, dropped) = hatch(&plan, self.p.cap_spacing, longest, held);
+        let (spacing, kind) = self.lid(&plan, level);
+        let (lines, dropped) = hatch(&plan, spacing, longest, held);
         let rims: Vec<Rim> = lines
             .into_iter()
             .map(|line| Rim::line(line.into_iter().map(|p| p.extend(first.z)).collect()))
             .collect();
         for rim in &rims {
-            self.out.polyline(&rim.points, Kind::Cap);
+            self.out.polyline(&rim.points, kind);
         }
         if dropped > 0.0 {
-            let area = dropped * self.p.cap_spacing;
+            let area = dropped * spacing;
             self.leave_out(first.z, first.z, area, first.truncate(), Reason::WideRoof);
         }
         rims
+    }
+
+    /// How the strands of a face lie apart, and what they are: side by side where it is marked.
+    fn lid(&self, rims: &[Vec<DVec2>], level: usize) -> (f64, Kind) {
+        let Level { z, low, high } = self.sliced.levels[level];
+        let (low, high) = if level == 0 { (f64::NEG_INFINITY, low) } else { (low, high) };
+        if !self.layered.has_flat(rims, low - FLAT, high + FLAT) {
+            return (self.p.cap_spacing, Kind::Cap);
+        }
+        // On the bed a strand is squeezed to its height, and wider in turn.
+        let strand = self.p.strand;
+        let width = if level == 0 { FRAC_PI_4 * strand * strand / z } else { strand };
+        (width.max(strand), Kind::LayerWise)
     }
 
     /// Notes a strip that cannot be printed.
