@@ -163,7 +163,7 @@ def test_firmware_retraction_is_a_choice():
 @pytest.mark.parametrize(
     ("name", "values", "message"),
     [
-        ("kind", np.array([11], np.uint8), "kind holds 11; the codes are 0 to 10"),
+        ("kind", np.array([12], np.uint8), "kind holds 12; the codes are 0 to 11"),
         ("speed", np.ones(2), r"speed has shape \(2,\); it must be \(1,\)"),
         ("to", np.ones((1, 2)), r"to has shape \[1, 2\]; it must be \(N, 3\)"),
     ],

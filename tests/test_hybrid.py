@@ -19,8 +19,8 @@ from wireprint.pipeline import make
 from wireprint.regions import Box, Region, Sphere, ZRange
 from wireprint.settings import Settings
 
-LAYERWISE, CONTOUR, POST, CAP = (
-    KINDS.index(kind) for kind in ("layer-wise", "contour", "post", "cap")
+LAYERWISE, FILL, CONTOUR, POST, CAP = (
+    KINDS.index(kind) for kind in ("layer-wise", "layer-fill", "contour", "post", "cap")
 )
 SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]"])
 
@@ -152,7 +152,7 @@ def test_all_marked_is_an_ordinary_layer_print(models):
     length_mm = np.linalg.norm(above[:, 1] - above[:, 0], axis=1).sum()
     assert length_mm / layers == pytest.approx(per_layer_mm, rel=0.01)
     kinds = set(made.wireframe.strand_kinds.tolist())
-    assert kinds <= {LAYERWISE, CONTOUR, CAP}
+    assert kinds <= {LAYERWISE, FILL, CONTOUR, CAP}
     assert strands(made, CONTOUR)[..., 2].max() == chosen.first_layer_height_mm
 
 

@@ -381,6 +381,7 @@ class _Layered(TypedDict):
     line_flows: npt.NDArray[np.float64]
     flats: npt.NDArray[np.float64]
     flats_marked: npt.NDArray[np.bool_]
+    line_inside: npt.NDArray[np.bool_]
 
 class _Contours(TypedDict):
     points: npt.NDArray[np.float64]
@@ -481,6 +482,7 @@ class Certificate:
         mesh: Mesh,
         centre_mm: tuple[float, float],
         aside: set[str],
+        inside: set[str],
         within_mm: float,
     ) -> tuple[float, list[_Patch], tuple[float, float], tuple[float, float]]: ...
 

@@ -45,6 +45,7 @@ STYLES: Final[dict[str, Style]] = {
     "diagonal": Style("diagonal", (0, 150, 112)),
     "cap": Style("cap", (236, 208, 50)),
     "layer-wise": Style("layer-wise", (140, 98, 190)),
+    "layer-fill": Style("layer fill", (178, 150, 212)),
     "support": Style("support", (208, 120, 166), is_object=False),
     "brim": Style("brim", (150, 140, 124), is_object=False),
     "skirt": Style("skirt", (150, 140, 124), is_object=False),

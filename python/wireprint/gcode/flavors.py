@@ -27,6 +27,7 @@ KINDS: Final = (
     "brim",
     "retract",
     "unretract",
+    "layer-fill",
 )
 
 #: Kinds without a ``;TYPE:`` label of their own.

@@ -74,25 +74,29 @@ def _mended(route: Route, ground: _Ground) -> Route:
     loose |= ~ground.meets(route.points[ends - 1, :2], lines)
     if not loose.any():
         return route
-    pieces: list[Floats] = []
+    pieces: list[tuple[Floats, int]] = []
     layers: list[Ints] = []
-    late: list[Floats] = []
+    late: list[tuple[Floats, int]] = []
     changed = False
     for line in lines:
         points, layer = route.points[begins[line] : ends[line]], ground.layer[line]
+        group = int(route.group[line])
         parts = ground.mended(points, int(line)) if loose[line] else [points]
         if parts is None:
-            late.append(points)
+            late.append((points, group))
             parts = []
         changed |= len(parts) != 1 or not np.array_equal(parts[0], points)
+        laid = [(part, group) for part in parts]
         if line == lines[-1] or ground.layer[line + 1] != layer:
-            parts, late = [*parts, *late], []
-        pieces += parts
-        layers += [np.full(len(part), layer) for part in parts]
+            laid, late = [*laid, *late], []
+        pieces += laid
+        layers += [np.full(len(part), layer) for part, _ in laid]
     if not (pieces and changed):
         return route
-    offsets = np.concatenate([[0], np.cumsum([len(part) for part in pieces])]).astype(np.int64)
-    return Route(np.concatenate(pieces), np.concatenate(layers), offsets)
+    offsets = np.concatenate([[0], np.cumsum([len(part) for part, _ in pieces])]).astype(np.int64)
+    points = np.concatenate([part for part, _ in pieces])
+    groups = np.array([group for _, group in pieces])
+    return Route(points, np.concatenate(layers), offsets, groups)
 
 
 class _Ground:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -43,10 +43,14 @@ class _Group:
     layer: Ints
     #: What each lies on: the number of an island, or −1.
     place: Ints
+    #: Whether they lie behind the outer wall.
+    is_inside: bool
 
 
 def route(cut: Cut, samples: Samples, runs: Runs, recipe: Recipe, inset_mm: float) -> Route | None:
     """Lay the lines of all runs and bring them into printing order; None where there are none.
+
+    The outer walls are group 0, all that lies behind them is group 1.
 
     Parameters
     ----------
@@ -77,7 +81,9 @@ def _routed(groups: list[_Group], z: Floats, recipe: Recipe) -> Route:
         Lines(group.lines.points, group.lines.offsets, owner, group.lines.closed)
         for group, owner in zip(groups, parts, strict=True)
     ]
-    return routed(lines, places[:, 0], z, recipe.seam_gap_mm)
+    found = routed(lines, places[:, 0], z, recipe.seam_gap_mm)
+    inside = np.array([group.is_inside for group in groups])
+    return replace(found, group=inside[found.group].astype(np.int64))
 
 
 def _whole_contours(cut: Cut, samples: Samples, runs: Runs) -> Bools:
@@ -109,12 +115,16 @@ def _islands(
     turn = np.where(layer % 2 == 0, np.pi / 4, -np.pi / 4)
     # From the outside in: the outer wall stands on a contour, the others lean on it.
     groups = list(reversed(laid.lines))
+    outer = bool(groups)
     width, spacing = recipe.width_mm, recipe.spacing_mm
     groups.append(hatched(solid, turn, spacing, width, recipe.solid_link_mm))
     if recipe.infill_density > 0:
         wide = spacing / recipe.infill_density
         groups.append(hatched(sparse, turn, wide, width, recipe.link_mm))
-    return [_Group(lines, layer[lines.owner], lines.owner) for lines in groups]
+    return [
+        _Group(lines, layer[lines.owner], lines.owner, is_inside=not (outer and number == 0))
+        for number, lines in enumerate(groups)
+    ]
 
 
 def _fringe(
@@ -139,7 +149,8 @@ def _fringe(
         if number:
             room = offset(areas, -(inward - _ASIDE * recipe.width_mm))
             lines = shapely.intersection(lines, room[layer])
-        groups.append(_open_lines(lines, layer, _SHORTEST * recipe.width_mm))
+        least_mm = _SHORTEST * recipe.width_mm
+        groups.append(_open_lines(lines, layer, least_mm, is_inside=number > 0))
     return groups
 
 
@@ -218,7 +229,7 @@ def _spans(
     return [(low, high) for low, high in joined if high - low >= least_mm]
 
 
-def _open_lines(lines: Geometries, layer: Ints, least_mm: float) -> _Group:
+def _open_lines(lines: Geometries, layer: Ints, least_mm: float, *, is_inside: bool) -> _Group:
     """Return line strings, and pieces of them, as open lines."""
     merged = shapely.line_merge(lines)
     parts, origin = shapely.get_parts(merged, return_index=True)
@@ -228,4 +239,4 @@ def _open_lines(lines: Geometries, layer: Ints, least_mm: float) -> _Group:
     sizes = np.bincount(index, minlength=len(parts))
     offsets = np.concatenate([[0], np.cumsum(sizes)])
     place = np.full(len(origin), -1)
-    return _Group(Lines(points, offsets, origin, closed=False), layer[origin], place)
+    return _Group(Lines(points, offsets, origin, closed=False), layer[origin], place, is_inside)

@@ -108,6 +108,7 @@ class Plan:
             "line_flows": section_mm2[layer] / strand_mm2,
             "flats": self.flats.points,
             "flats_marked": self.flats.marked,
+            "line_inside": lines.group > 0,
         }
 
 

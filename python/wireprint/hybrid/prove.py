@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from wireprint.regions import Region
     from wireprint.settings import Settings
 
-_LAYERWISE: Final = KINDS.index("layer-wise")
+_LAYERS: Final = (KINDS.index("layer-wise"), KINDS.index("layer-fill"))
 #: Most prints that are tried; then all stays wire.
 _ROUNDS: Final = 8
 #: Breaches of a rule → why a run is not printed as layers.
@@ -72,7 +72,7 @@ class Proved:
     @property
     def layer_wise_mm(self) -> float:
         """Length of all strands of layers, mm."""
-        own = self.wireframe.strands[self.wireframe.strand_kinds == _LAYERWISE]
+        own = self.wireframe.strands[np.isin(self.wireframe.strand_kinds, _LAYERS)]
         return float(np.sum(np.linalg.norm(own[:, 1] - own[:, 0], axis=1)))
 
 

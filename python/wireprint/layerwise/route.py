@@ -30,6 +30,8 @@ class Route:
     layer: Ints
     #: Line i has the points ``offsets[i]:offsets[i + 1]``, shape (N + 1,).
     offsets: Ints
+    #: Group of each line, shape (N,).
+    group: Ints
 
     @classmethod
     def empty(cls) -> Self:
@@ -75,7 +77,8 @@ def routed(
     index, offsets = _gathered(walker)
     flat = _opened(points[index], offsets, closed[walker.visited], gap_mm)
     layer = layer_of_owner[owner[walker.visited]].repeat(np.diff(offsets))
-    return Route(np.column_stack([flat.real, flat.imag, heights_mm[layer]]), layer, offsets)
+    points_mm = np.column_stack([flat.real, flat.imag, heights_mm[layer]])
+    return Route(points_mm, layer, offsets, group[walker.visited])
 
 
 class _Walker:

@@ -57,4 +57,4 @@ def _climbing(route: Route) -> Route:
         turn[:, 2] -= (turn[0, 2] / (layers[line] + 1)) * (1 - way / way[-1])
     joins = climbs[1:] & climbs[:-1]
     kept = np.concatenate([[True], ~joins, [True]])
-    return Route(points, route.layer, route.offsets[kept])
+    return Route(points, route.layer, route.offsets[kept], route.group[kept[:-1]])

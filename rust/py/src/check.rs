@@ -195,28 +195,35 @@ impl Certificate {
 
     /// Compares the strands with a mesh that stands about `centre_mm` on the bed.
     ///
-    /// Strands with a `;TYPE:` label in `aside` count for nothing. The deviations, mean and
-    /// greatest in mm, are those of the strands as commanded, then relaxed.
+    /// Strands with a `;TYPE:` label in `aside` count for nothing, those with one in `inside` for
+    /// coverage alone. The deviations, mean and greatest in mm, are those of the strands as
+    /// commanded, then relaxed.
     fn fidelity(
         &self,
         py: Python<'_>,
         mesh: &Mesh,
         centre_mm: [f64; 2],
         aside: HashSet<String>,
+        inside: HashSet<String>,
         within_mm: f64,
     ) -> PyResult<FidelityRow> {
         require_positive("within_mm", within_mm)?;
         let shift = DVec2::from(centre_mm).extend(0.0);
-        let counts = |strand: usize| {
+        let is_in = |strand: usize, names: &HashSet<String>| {
             let feature = self.core.strand_features.get(strand).copied().unwrap_or(0);
-            self.core.features.get(usize::from(feature)).is_none_or(|name| !aside.contains(name))
+            self.core.features.get(usize::from(feature)).is_some_and(|name| names.contains(name))
         };
+        let covers = |strand: usize| !is_in(strand, &aside);
+        let shows = |strand: usize| covers(strand) && !is_in(strand, &inside);
         Ok(py.detach(|| {
-            let kept = self.core.strands.iter().enumerate().filter(|(strand, _)| counts(*strand));
-            let commanded = moved(kept.map(|(_, ends)| *ends), shift);
-            let relaxed = self.core.relaxed.iter().filter(|piece| counts(piece.strand as usize));
+            let strands = || self.core.strands.iter().enumerate();
+            let covering = strands().filter(|(strand, _)| covers(*strand));
+            let covering = moved(covering.map(|(_, ends)| *ends), shift);
+            let coverage = fidelity::coverage(mesh.core(), &covering, within_mm);
+            let commanded = strands().filter(|(strand, _)| shows(*strand));
+            let commanded = moved(commanded.map(|(_, ends)| *ends), shift);
+            let relaxed = self.core.relaxed.iter().filter(|piece| shows(piece.strand as usize));
             let relaxed = moved(relaxed.map(|piece| piece.ends), shift);
-            let coverage = fidelity::coverage(mesh.core(), &commanded, within_mm);
             let surface = fidelity::Surface::new(mesh.core());
             let commanded = surface.deviation(&commanded);
             let relaxed = surface.deviation(&relaxed);

@@ -25,6 +25,7 @@ pub struct LayeredArgs<'py> {
     line_flows: PyReadonlyArray1<'py, f64>,
     flats: PyReadonlyArray2<'py, f64>,
     flats_marked: PyReadonlyArray1<'py, bool>,
+    line_inside: PyReadonlyArray1<'py, bool>,
 }
 
 impl LayeredArgs<'_> {
@@ -75,6 +76,7 @@ impl LayeredArgs<'_> {
             ("stretch_spans", self.stretch_spans.shape()[0], self.stretches.shape()[0]),
             ("line_flows", self.line_flows.len(), lines),
             ("flats_marked", self.flats_marked.len(), self.flats.shape()[0]),
+            ("line_inside", self.line_inside.len(), lines),
             ("offsets", self.offsets.len(), lines + 1),
         ];
         if let Some((name, found, wanted)) = lengths.iter().find(|(_, a, b)| a != b) {
@@ -96,7 +98,8 @@ impl LayeredArgs<'_> {
         if !(flow.is_finite() && flow >= 0.0 && points.iter().all(|p| p.is_finite())) {
             return Err(wrong("points and line_flows", "finite, flows not negative"));
         }
-        Ok((self.line_slabs.as_array()[number], Line { points, flow }))
+        let inside = self.line_inside.as_array()[number];
+        Ok((self.line_slabs.as_array()[number], Line { points, flow, inside }))
     }
 }
 

@@ -14,7 +14,7 @@ use crate::errors::{SettingError, detached};
 use crate::wireframe::Wireframe;
 
 /// Every kind at the index of its code.
-const KINDS: [Kind; 11] = [
+const KINDS: [Kind; 12] = [
     Kind::Travel,
     Kind::Contour,
     Kind::Post,
@@ -26,6 +26,7 @@ const KINDS: [Kind; 11] = [
     Kind::Brim,
     Kind::Retract,
     Kind::Unretract,
+    Kind::LayerFill,
 ];
 
 /// Every move of the head, in order; immutable.

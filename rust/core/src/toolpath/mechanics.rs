@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{PathParams, Toolpath};
-use crate::wireframe::{Kind, Strand};
+use crate::wireframe::Strand;
 
 /// What makes a stroke that ends in the air hold its shape (paper, "Experimentation").
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,7 +56,7 @@ fn speed(strand: &Strand, p: &PathParams) -> f64 {
     let on_bed = strand.from.z.max(strand.to.z) <= p.first_layer + 1e-9;
     match p.strategy {
         _ if on_bed => p.bed_speed,
-        _ if strand.kind == Kind::LayerWise => {
+        _ if strand.kind.is_layered() => {
             p.layer_speed.min(p.print_speed / strand.flow.max(f64::MIN_POSITIVE))
         }
         Strategy::Slow if strand.floating || strand.slab_rises() => p.slow_speed,

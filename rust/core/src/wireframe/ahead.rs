@@ -113,7 +113,11 @@ mod tests {
     fn a_post_keeps_clear_of_a_line_that_is_still_to_come() {
         let head = Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap();
         let points = vec![DVec3::new(0.0, 0.0, 0.2), DVec3::new(40.0, 0.0, 0.2)];
-        let ahead = Ahead::new(&[Line { points, flow: 1.0 }], DVec2::ZERO, DVec2::splat(40.0));
+        let ahead = Ahead::new(
+            &[Line { points, flow: 1.0, inside: false }],
+            DVec2::ZERO,
+            DVec2::splat(40.0),
+        );
         let reach = head.clearance(3.8);
         let post = |y: f64| (DVec3::new(17.0, y, 0.0), DVec3::new(17.0, y, 4.0));
         let (from, to) = post(reach - 0.1);

@@ -105,11 +105,12 @@ impl<'a> Builder<'a> {
         self.ahead = Ahead::default();
         for line in lines {
             let Some(&first) = line.points.first() else { continue };
-            let reached = |from: &Strand| from.kind == Kind::LayerWise;
+            let kind = if line.inside { Kind::LayerFill } else { Kind::LayerWise };
+            let reached = |from: &Strand| from.kind.is_layered();
             let from = self.strands.last().filter(|s| reached(s)).map(|s| s.to);
             let mut direct = from.is_some_and(|from| !self.is_hit(from, first));
             for pair in line.points.windows(2).filter(|pair| pair[0] != pair[1]) {
-                self.push(pair[0], pair[1], Kind::LayerWise, false);
+                self.push(pair[0], pair[1], kind, false);
                 if let Some(strand) = self.strands.last_mut() {
                     strand.flow = line.flow;
                     strand.direct = std::mem::take(&mut direct);

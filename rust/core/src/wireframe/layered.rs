@@ -27,6 +27,8 @@ pub struct Line {
     pub points: Vec<DVec3>,
     /// Filament that it takes, as a share of what a free strand of its length would.
     pub flow: f64,
+    /// Whether it lies behind the outer wall.
+    pub inside: bool,
 }
 
 /// What is layers in one slab.

@@ -58,6 +58,16 @@ pub enum Kind {
     Retract = 9,
     /// Filament pushed forward again (no displacement).
     Unretract = 10,
+    /// Part of a stacked layer behind the outer wall.
+    LayerFill = 11,
+}
+
+impl Kind {
+    /// Whether it is part of a stacked layer.
+    #[must_use]
+    pub fn is_layered(self) -> bool {
+        matches!(self, Self::LayerWise | Self::LayerFill)
+    }
 }
 
 /// One extruded stroke, in printing order within its wireframe.
