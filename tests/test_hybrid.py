@@ -147,7 +147,7 @@ def test_all_marked_is_an_ordinary_layer_print(models):
     plain = layered(areas(cube, recipe.layer_mm, recipe.resolution_mm), recipe)
     layers = len(made.regions.plan.cut.z)
     per_layer_mm = plain.figures()["strand_mm"] / 140
-    lines = strands(made, LAYERWISE)
+    lines = np.concatenate([strands(made, LAYERWISE), strands(made, FILL)])
     above = lines[lines[:, 0, 2] > chosen.first_layer_height_mm]
     length_mm = np.linalg.norm(above[:, 1] - above[:, 0], axis=1).sum()
     assert length_mm / layers == pytest.approx(per_layer_mm, rel=0.01)

@@ -36,7 +36,8 @@ class Route:
     @classmethod
     def empty(cls) -> Self:
         """Return a route without lines."""
-        return cls(np.zeros((0, 3)), np.zeros(0, np.int64), np.zeros(1, np.int64))
+        none = np.zeros(0, np.int64)
+        return cls(np.zeros((0, 3)), none, np.zeros(1, np.int64), none)
 
 
 def routed(
