@@ -23,7 +23,7 @@ use crate::head::Head;
 const BED_FOLLOW: f64 = 0.05;
 
 /// Fewer slabs than one in so many are not worth looking for other orders.
-const FEW: usize = 10;
+const FEW: usize = 4;
 
 /// What stands at one height: the rims by contour, and the strands that close faces there.
 #[derive(Clone, Default)]
@@ -99,35 +99,39 @@ impl Laid {
 /// is kept.
 #[must_use]
 pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
-    let mut found = settled(sliced.clone(), layered, head, p, false);
+    let mut found = settled(&sliced, layered, head, p, false);
     if found.1.wanting > 0 && found.1.wanting >= sliced.strips.len() / FEW {
-        let searched = settled(sliced, layered, head, p, true);
+        let searched = settled(&sliced, layered, head, p, true);
         if searched.1.is_better(&found.1) {
             found = searched;
         }
     }
-    let (sliced, laid) = found;
+    let (propped, laid) = found;
+    let sliced = propped.unwrap_or(sliced);
     let Laid { posts, strands, unprinted, .. } = laid;
     Wireframe { posts, strands, unprinted, sliced }
 }
 
-/// Lays the strands; a second pass adds supports where the first one found that they are needed.
+/// Lays the strands; a second pass adds supports where the first one found that they are needed, and
+/// the slices with them are given back.
 fn settled(
-    mut sliced: Sliced,
+    sliced: &Sliced,
     layered: &Layered,
     head: &Head,
     p: &WireParams,
     searching: bool,
-) -> (Sliced, Laid) {
-    let mut laid = lay(&sliced, layered, head, p, searching);
+) -> (Option<Sliced>, Laid) {
+    let mut laid = lay(sliced, layered, head, p, searching);
     if !p.supports {
         laid.wants.columns.clear();
     }
-    if !(laid.wants.columns.is_empty() && laid.wants.roofs.is_empty()) {
-        columns::add(&mut sliced, &laid.wants);
-        laid = lay(&sliced, layered, head, p, searching);
+    if laid.wants.columns.is_empty() && laid.wants.roofs.is_empty() {
+        return (None, laid);
     }
-    (sliced, laid)
+    let mut propped = sliced.clone();
+    columns::add(&mut propped, &laid.wants);
+    let laid = lay(&propped, layered, head, p, searching);
+    (Some(propped), laid)
 }
 
 fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams, searching: bool) -> Laid {
