@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = """# Layers where detail is wanted: what they cost and what they gain
 
 Written by `python benches/regions.py`. Defaults of `kossel-mini`, `abs` and `[regions]`
-(0.2 mm layers, two walls, 10 % infill).
+(0.2 mm layers, two walls, 10 % infill), on a bed that is large enough for all models.
 
 ## Time lies between wire and solid
 
@@ -46,7 +46,7 @@ line, of the wire print and of the one with layers, in the region and outside it
 |---|---|--:|--:|--:|--:|--:|--:|
 {details}
 """
-SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]"])
+SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]", *shared_models.ROOMY])
 SHARES = (0, 10, 25, 50, 75, 100)
 #: Points along a strand lie so far apart, mm.
 PITCH = 0.1
