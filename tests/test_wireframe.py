@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import trimesh
 
 from wireprint import examples
 from wireprint._core import Mesh
@@ -145,3 +146,16 @@ strands = wireframe(load_mesh({!r}), Settings.load()).strands
 print(hashlib.sha256(strands.tobytes()).hexdigest())
 """
     assert run_python(code.format(1, str(path))) == run_python(code.format(4, str(path)))
+
+
+def test_columns_reach_no_further_than_the_model(tmp_path):
+    post = trimesh.creation.box((20, 20, 40))
+    arms = trimesh.creation.box((120, 12, 10))
+    arms.apply_translation((0, 0, 25))
+    path = tmp_path / "tee.stl"
+    trimesh.util.concatenate([post, arms]).export(path)
+    wire = wireframe(load_mesh(path), Settings.load())
+    columns = wire.strands[wire.strand_kinds == SUPPORT]
+    assert len(columns)
+    assert np.abs(columns[..., 0]).max() <= 60 + 1e-6
+    assert np.abs(columns[..., 1]).max() <= 10 + 1e-6

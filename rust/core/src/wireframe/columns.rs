@@ -61,7 +61,10 @@ pub fn add(sliced: &mut Sliced, wants: &Wants) {
     for &(slab, strip) in &wants.roofs {
         sliced.strips[slab][strip].roofed = true;
     }
-    for (need, foot) in spread(sliced, &wants.columns) {
+    let bounds = Bounds::of(sliced);
+    let drawn_in = |need: &Need| Need { place: bounds.draw_in(need.place), ..*need };
+    let needs: Vec<Need> = wants.columns.iter().map(drawn_in).collect();
+    for (need, foot) in spread(sliced, &needs) {
         let mut below: Option<u32> = None;
         for level in foot..=need.level {
             let lower = (level > 0).then(|| push(&mut sliced.lower[level], need.place));
@@ -82,6 +85,29 @@ pub fn add(sliced: &mut Sliced, wants: &Wants) {
             }
             below = Some(upper);
         }
+    }
+}
+
+/// How far the model reaches: a column that stands out further might leave the bed.
+struct Bounds {
+    low: DVec2,
+    high: DVec2,
+    /// From the middle of the bed, mm.
+    radius: f64,
+}
+
+impl Bounds {
+    fn of(sliced: &Sliced) -> Self {
+        let (low, high) = sliced.plan();
+        let points = sliced.lower.iter().chain(&sliced.upper).flatten().flat_map(|c| &c.points);
+        Self { low, high, radius: points.map(|p| p.length()).fold(0.0, f64::max) }
+    }
+
+    /// The centre of the column that stands within and comes nearest to a place.
+    fn draw_in(&self, place: DVec2) -> DVec2 {
+        let middle = 0.5 * (self.low + self.high);
+        let centre = place.clamp((self.low + RADIUS).min(middle), (self.high - RADIUS).max(middle));
+        centre.clamp_length_max((self.radius - RADIUS).max(0.0))
     }
 }
 
