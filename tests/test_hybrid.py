@@ -16,7 +16,7 @@ from wireprint.layerwise.printing import layered
 from wireprint.layerwise.recipe import Recipe
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
-from wireprint.regions import Box, Region, Sphere, ZRange
+from wireprint.regions import Box, HalfSpace, Mask, Predicate, Region, Sphere, ZRange
 from wireprint.settings import Settings
 
 LAYERWISE, FILL, CONTOUR, POST, CAP = (
@@ -184,8 +184,81 @@ def test_the_runs_are_arrays_that_lie_on_their_contours(models):
         assert SETTINGS.regions.shortest_run * 0.7 <= end - begin <= length
 
 
+def filling(made):
+    """Strands behind the outer walls, and how deep below the surface their ends lie, mm."""
+    found = strands(made, FILL)
+    return found, distances(made, found.reshape(-1, 3)).reshape(-1, 2)
+
+
+def test_the_inside_of_a_box_is_filled_from_wall_to_wall(models):
+    made = printed(models("cube"), Box(low_mm=(-20, -20, 10), high_mm=(2, 20, 20)))
+    assert made.certificate.ok
+    report = made.figures()["regions"]
+    # 14 + 2 mm deep behind two walls, as high as the box where its runs are, minus its corners.
+    low = strands(made, FILL)[..., 2].min()
+    whole = 16 * 28 * (20 - low)
+    assert 0.85 * whole < report["filled_mm3"] < whole
+    assert strands(made, FILL)[..., 0].max() <= 2 + 1e-9 + SETTINGS.printer.head.nozzle_mm
+    assert not strands(made, FILL)[strands(made, FILL)[..., 2].max(axis=1) < low].size
+
+
+def test_fill_that_begins_above_hollow_begins_with_bridges(models):
+    made = printed(models("cube"), Box(low_mm=(-20, -20, 10), high_mm=(2, 20, 20)))
+    found, depth = filling(made)
+    low = found[..., 2].min()
+    first = found[(found[..., 2].max(axis=1) == low) & (depth.min(axis=1) > 0)]
+    way = first[:, 1] - first[:, 0]
+    long = np.linalg.norm(way, axis=1) > 10
+    inner = np.abs(first[:, :, 0]).max(axis=1) < 13
+    # Straight across, from one painted side to the other; the open side is not leant upon.
+    assert (long & inner).sum() >= 3
+    np.testing.assert_allclose(way[long & inner, 0], 0.0, atol=1e-6)
+
+
+def test_what_could_only_hang_stays_hollow_and_is_named(models):
+    ball = Sphere(centre_mm=(0, -15, 45), radius_mm=14)
+    made = printed(models("bottle", height_mm=90), ball)
+    assert made.certificate.ok
+    report = made.figures()["regions"]
+    assert report["filled_mm3"] > 0
+    hollow = {part["reason"]: part for part in report["hollow"]}
+    assert hollow["over_hollow"]["high_mm"] < 45
+    assert all(part["help"] and part["volume_mm3"] > 0 for part in report["hollow"])
+
+
+def test_paint_has_no_inside(models):
+    import trimesh
+
+    bottle = models("bottle", height_mm=90)
+    ball = Sphere(centre_mm=(0, -15, 45), radius_mm=14)
+    mesh = trimesh.Trimesh(bottle.vertices, bottle.faces)
+    middles = np.asarray(mesh.triangles_center)
+    paint = Mask(
+        vertices=np.asarray(mesh.vertices, np.float64),
+        faces=np.asarray(mesh.faces, np.uint32),
+        marked=ball.covers(middles, middles),
+    )
+    made = printed(bottle, paint)
+    assert made.regions.plan.sections
+    assert made.figures()["regions"]["filled_mm3"] == 0
+    assert filling(made)[1].max() < 2 * SETTINGS.printer.head.nozzle_mm
+
+
+def test_wire_is_the_same_whether_the_inside_is_filled_or_not(models):
+    ball = Sphere(centre_mm=(0, -18, 18), radius_mm=12)
+    sphere = models("sphere", height_mm=45)
+    hollow = Settings.load(overrides=["gcode.thumbnails=[]", "regions.infill_density=0"])
+    made = printed(sphere, ball)
+    without = make(sphere, hollow, Region().add(ball))
+    assert made.figures()["regions"]["filled_mm3"] > 500
+    assert without.figures()["regions"]["filled_mm3"] == 0
+    np.testing.assert_array_equal(strands(made, POST), strands(without, POST))
+
+
 SHAPE = st.tuples(
-    st.sampled_from(["box", "sphere", "z"]), *[st.floats(0, 1)] * 3, st.floats(0.1, 0.6)
+    st.sampled_from(["box", "sphere", "z", "half", "predicate"]),
+    *[st.floats(0, 1)] * 3,
+    st.floats(0.1, 0.6),
 )
 
 
@@ -197,6 +270,12 @@ def shape_on(mesh, kind, x, y, z, size):
         return Sphere(centre_mm=centre.tolist(), radius_mm=reach)
     if kind == "box":
         return Box(low_mm=(centre - reach).tolist(), high_mm=(centre + reach).tolist())
+    if kind == "half":
+        normal = np.array([x - 0.5, y - 0.5, 0.6 * z - 0.29])
+        ahead = float(centre @ normal / np.linalg.norm(normal))
+        return HalfSpace(normal=normal.tolist(), offset_mm=ahead)
+    if kind == "predicate":
+        return Predicate(function=lambda points: np.abs(points - centre).sum(axis=1) < 2 * reach)
     return ZRange(low_mm=centre[2] - reach, high_mm=centre[2] + reach)
 
 
@@ -212,7 +291,7 @@ def certified_or_refused_by_name(vertices, faces, marks):
         assert not make(mesh, SETTINGS, compare=False).certificate.ok
     if region:
         report = made.figures()["regions"]
-        assert all(run["reason"] and run["help"] for run in report["dropped"])
+        assert all(part["reason"] and part["help"] for part in report["dropped"] + report["hollow"])
 
 
 few = settings(max_examples=8, suppress_health_check=[HealthCheck.too_slow])

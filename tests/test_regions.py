@@ -4,11 +4,13 @@ import math
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
 from wireprint._core import SettingError
-from wireprint.regions import Box, HalfSpace, Predicate, Region, Sphere, ZRange
+from wireprint.regions import Box, HalfSpace, Predicate, Region, Sphere, Stroke, ZRange
+from wireprint.regions.inside import sections
 
 #: Coordinates on a grid that no sphere's surface or turned plane meets by accident.
 coordinates = st.integers(-200, 200).map(lambda n: n / 7)
@@ -91,6 +93,36 @@ def test_a_region_answers_each_point_by_itself(marks, seed):
     order = np.random.default_rng(seed).permutation(len(points))
     whole = region.covers(points, normals)
     assert np.array_equal(region.covers(points[order], normals[order]), whole[order])
+
+
+@given(marks=marks, matrix=st.integers(0, 99), seed=st.integers(0, 99))
+def test_sections_hold_the_points_that_the_region_covers(marks, matrix, seed):
+    region, z = region_of(marks).transformed(rigid(matrix)), np.linspace(-25, 25, 9)
+    plan = np.random.default_rng(seed).uniform(-30, 30, (100, 2))
+    cut = sections(region, z, np.array([[-30.0, -30.0], [30.0, 30.0]]), 1.0)
+    for height, area in zip(z, cut, strict=True):
+        points = np.column_stack([plan, np.full(len(plan), height)])
+        covered = region.covers(points, np.tile([0.0, 0.0, 1.0], (len(points), 1)))
+        # A ball is cut as a polygon: what is near to its edge may fall on either side.
+        clear = shapely.distance(shapely.boundary(area), shapely.points(plan)) > 0.15
+        sure = clear | shapely.is_empty(area)
+        assert np.array_equal(shapely.contains_xy(area, *plan.T)[sure], covered[sure])
+
+
+def test_a_predicate_is_cut_to_within_the_pitch_that_it_is_asked_at():
+    region = Region().add(Predicate(function=lambda p: np.hypot(p[:, 0], p[:, 1]) < 10))
+    disc = shapely.Point(0, 0).buffer(10, quad_segs=64)
+    (area,) = sections(region, np.zeros(1), np.array([[-12.0, -12.0], [12.0, 12.0]]), 0.5)
+    assert shapely.hausdorff_distance(shapely.boundary(area), shapely.boundary(disc)) < 1.0
+
+
+def test_paint_has_no_sections():
+    stroke = Stroke(points_mm=[(0, 0, 0)], normals=[(0, 0, 1)], radius_mm=9)
+    region = Region().add(stroke)
+    bounds = np.array([[-9.0, -9.0], [9.0, 9.0]])
+    assert shapely.is_empty(sections(region, np.zeros(1), bounds, 1.0)).all()
+    kept = sections(region.add(ZRange()).erase(stroke), np.zeros(1), bounds, 1.0)
+    assert shapely.area(kept).tolist() == [18 * 18]
 
 
 def test_a_region_to_which_nothing_was_added_is_false():

@@ -59,6 +59,16 @@ class DroppedRun(Run):
     help: str
 
 
+class HollowPart(TypedDict):
+    """What of a region's inside is not filled."""
+
+    reason: str
+    volume_mm3: float
+    low_mm: float
+    high_mm: float
+    help: str
+
+
 class Regions(TypedDict):
     """What of the marked surface is printed as layers."""
 
@@ -66,6 +76,8 @@ class Regions(TypedDict):
     area_mm2: float
     runs: list[Run]
     dropped: list[DroppedRun]
+    filled_mm3: float
+    hollow: list[HollowPart]
     rounds: int
 
 
@@ -87,6 +99,8 @@ _REGION_HELP: Final = {
     "wide_bridge": "raise regions.infill_density, or mark what is below it too",
     "no_room": "turn or move the model away from the edge of the bed",
     "unproved": "mark less, or something simpler",
+    "beside_wire": "mark the walls near to it too, or print with lower slabs",
+    "over_hollow": "mark what is below it too, or let it reach from wall to wall",
 }
 
 
@@ -130,6 +144,17 @@ def regions(proved: Proved) -> Regions:
         "dropped": [
             {**_run(run), "reason": reason, "help": _REGION_HELP[reason]}
             for run, reason in proved.plan.runs.dropped
+        ],
+        "filled_mm3": proved.plan.filled_mm3,
+        "hollow": [
+            {
+                "reason": part.reason,
+                "volume_mm3": part.volume_mm3,
+                "low_mm": part.low_mm,
+                "high_mm": part.high_mm,
+                "help": _REGION_HELP[part.reason],
+            }
+            for part in proved.plan.left_hollow()
         ],
         "rounds": proved.rounds,
     }

@@ -69,6 +69,12 @@ def _of_regions(regions: Mapping[str, Any]) -> Iterator[str]:
             f"({reason.replace('_', ' ')}), first at ({x:.1f}, {y:.1f}, {z:.1f}): "
             f"{runs[0]['help']}",
         )
+    for part in regions["hollow"]:
+        yield _row(
+            "hollow",
+            f"{part['volume_mm3']:.0f} mm³ at z {part['low_mm']:.1f}–{part['high_mm']:.1f} mm "
+            f"({part['reason'].replace('_', ' ')}): {part['help']}",
+        )
 
 
 def _row(name: str, text: str) -> str:

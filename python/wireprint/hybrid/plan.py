@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+import shapely
 
 from wireprint.hybrid.anchor import anchored
+from wireprint.hybrid.beside import beside_wire
 from wireprint.hybrid.cut import Cut, Samples, normals_of
+from wireprint.hybrid.depth import Inside
 from wireprint.hybrid.flats import Flats
-from wireprint.hybrid.lines import route
+from wireprint.hybrid.lines import Laid, lay
 from wireprint.hybrid.runs import Runs, Section, runs_of
 from wireprint.layerwise.recipe import Recipe
-from wireprint.layerwise.route import Route
+from wireprint.regions.inside import sections
 from wireprint.stages import line_section_mm2
 
 if TYPE_CHECKING:
@@ -23,8 +27,26 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Mesh, Wireframe, _Layered
+    from wireprint.layerwise.areas import Geometries
     from wireprint.regions import Region
     from wireprint.settings import Settings
+
+
+#: What stays hollow is told from this volume on, mm³: corners that are rounded come to less.
+_SPECK_MM3 = 1.0
+#: Heights are written to 1 µm.
+_ROUNDING_MM = 1e-3
+
+
+@dataclass(frozen=True)
+class Hollow:
+    """What of a region's inside is not filled for one reason."""
+
+    reason: str
+    volume_mm3: float
+    #: The lowest and the highest layer where it is missing, mm.
+    low_mm: float
+    high_mm: float
 
 
 @dataclass(frozen=True)
@@ -38,7 +60,15 @@ class Plan:
     #: The contours that slabs begin with, as segments of shape (S, 2, 2), mm, and the layers that
     #: end at their heights, shape (S,).
     rims: tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]
+    #: What lies inside the region on each layer, shape (K,).
+    inside: Geometries
+    #: Heights of the slabs, mm.
+    heights_mm: npt.NDArray[np.float64]
+    #: What is solid on the bed, below the first layer.
+    bed: shapely.Geometry
     settings: Settings
+    #: Slabs in which the inside stays hollow, and why.
+    hollow: Mapping[int, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, mesh: Mesh, wireframe: Wireframe, region: Region, settings: Settings) -> Plan:
@@ -68,30 +98,93 @@ class Plan:
         least_mm = regions.shortest_run * strand_mm
         head = settings.printer.head
         # A stroke leans away from each end of the gap as steeply as the head allows.
-        slope = math.tan(math.radians(head.slant_deg))
-        gap_mm = 2 * (head.tip_radius_mm + np.diff(wireframe.levels[:, 0]) / slope)
+        heights_mm = np.diff(wireframe.levels[:, 0])
+        gap_mm = 2 * (head.tip_radius_mm + heights_mm / _slope(settings))
         runs = runs_of(cut, samples, covered, born, least_mm, np.maximum(gap_mm, least_mm))
-        flats = Flats.of(mesh, normals_of(mesh), region)
-        return cls(cut, samples, runs, flats, _rims(cut, wireframe), settings)
+        return cls(
+            cut,
+            samples,
+            runs,
+            Flats.of(mesh, normals_of(mesh), region),
+            _rims(cut, wireframe),
+            _inside(cut, runs, region, strand_mm),
+            heights_mm,
+            _bed(wireframe) if settings.wire.caps else shapely.MultiPolygon(),
+            settings,
+        )
 
     @property
     def sections(self) -> tuple[Section, ...]:
         """Runs that are printed."""
         return self.runs.runs
 
-    def without(self, numbers: Mapping[int, str]) -> Plan:
-        """Return the plan without the runs of some numbers, dropped for a reason each."""
-        return replace(self, runs=self.runs.without(numbers))
+    def without(self, numbers: Mapping[int, str], hollow: Mapping[int, str]) -> Plan:
+        """Return the plan without the runs of some numbers, and hollow in some slabs, and why."""
+        return replace(self, runs=self.runs.without(numbers), hollow={**hollow, **self.hollow})
+
+    @cached_property
+    def recipe(self) -> Recipe:
+        """Widths and counts of the lines."""
+        return Recipe.of(self.settings.regions, self.settings.printer)
+
+    @cached_property
+    def laid(self) -> Laid:
+        """All lines, each of which begins on something."""
+        recipe, printer = self.recipe, self.settings.printer
+        inset_mm = self.settings.regions.inset * recipe.width_mm
+        laid = lay(self.cut, self.samples, self.runs, self._behind(), recipe, inset_mm)
+        route = anchored(laid.route, self.cut, self.rims, printer.head.nozzle_mm)
+        return replace(laid, route=route)
+
+    def _behind(self) -> Inside:
+        """Return what of the region lies behind the surface, and what wire leaves of it."""
+        painted = self.runs.of_sample >= 0
+        reach_mm = self.heights_mm / _slope(self.settings)
+        tip_mm = self.settings.printer.head.tip_radius_mm
+        wanted = np.unique(self.cut.slab[~shapely.is_empty(self.inside)])
+        slabs = beside_wire(self.cut, self.samples, painted, wanted, reach_mm, tip_mm)
+        is_had = ~np.isin(self.cut.slab, list(self.hollow))
+        longest_mm = self.settings.wire.span_limit_mm
+        return Inside(self.inside, slabs[self.cut.slab], is_had, self.bed, longest_mm)
+
+    def filled_at(self, place_mm: npt.NDArray[np.float64]) -> int | None:
+        """Return the slab in which fill behind walls lies at a place, if there is any."""
+        layer = min(
+            int(np.searchsorted(self.cut.z, place_mm[2] - _ROUNDING_MM)), len(self.cut.z) - 1
+        )
+        near = self.laid.depth.filled[layer]
+        if shapely.distance(near, shapely.Point(place_mm[:2])) <= self.recipe.width_mm / 2:
+            return int(self.cut.slab[layer])
+        return None
+
+    def left_hollow(self) -> list[Hollow]:
+        """Return what of the region's inside is not filled, by reason."""
+        deep, given_up = self.laid.depth, [self.hollow.get(slab) for slab in self.cut.slab.tolist()]
+        marked, clear, filled = (
+            shapely.area(part) * self.cut.thickness
+            for part in (deep.marked, deep.clear, deep.filled)
+        )
+        why = np.array([reason or "over_hollow" for reason in given_up])
+        lost = [("beside_wire", marked - clear)]
+        lost += [(reason, (clear - filled) * (why == reason)) for reason in np.unique(why).tolist()]
+        parts = []
+        for reason, volume in lost:
+            layers = np.flatnonzero(volume > 0)
+            if volume.sum() >= _SPECK_MM3:
+                low, high = self.cut.z[layers[[0, -1]]].tolist()
+                parts.append(Hollow(reason, float(volume[layers].sum()), low, high))
+        return parts
+
+    @property
+    def filled_mm3(self) -> float:
+        """Volume behind the walls of contours that are painted in part, that is filled."""
+        return float(np.sum(shapely.area(self.laid.depth.filled) * self.cut.thickness))
 
     def layered(self) -> _Layered | None:
         """Return what the core needs to know; None where nothing is layers."""
-        regions, printer = self.settings.regions, self.settings.printer
-        recipe = Recipe.of(regions, printer)
-        lines = route(self.cut, self.samples, self.runs, recipe, regions.inset * recipe.width_mm)
-        if lines is None and not self.flats.marked.any():
+        printer, recipe, lines = self.settings.printer, self.recipe, self.laid.route
+        if not (len(lines.group) or self.flats.marked.any()):
             return None
-        lines = lines or Route.empty()
-        lines = anchored(lines, self.cut, self.rims, printer.head.nozzle_mm)
         layer = lines.layer[lines.offsets[:-1]]
         strand_mm2 = math.pi / 4 * printer.head.nozzle_mm**2
         thickness = self.cut.thickness.tolist()
@@ -110,6 +203,32 @@ class Plan:
             "flats_marked": self.flats.marked,
             "line_inside": lines.group > 0,
         }
+
+
+def _slope(settings: Settings) -> float:
+    """Return the tangent of the steepest stroke down that the head leaves room for."""
+    return math.tan(math.radians(settings.printer.head.slant_deg))
+
+
+def _inside(cut: Cut, runs: Runs, region: Region, strand_mm: float) -> Geometries:
+    """Cut the inside of a region on the layers of all slabs that have runs."""
+    found: Geometries = np.full(len(cut.z), shapely.MultiPolygon(), dtype=object)
+    layers = np.flatnonzero(np.isin(cut.slab, [run.slab for run in runs.runs]))
+    if len(layers):
+        bounds = np.stack([cut.points.min(axis=0), cut.points.max(axis=0)])
+        found[layers] = sections(region, cut.z[layers], bounds, strand_mm)
+    return found
+
+
+def _bed(wireframe: Wireframe) -> shapely.Geometry:
+    """Return what the contours on the bed enclose."""
+    above = wireframe.contours_above
+    area: shapely.Geometry = shapely.MultiPolygon()
+    for number in np.flatnonzero(above["closed"][: above["slice_offsets"][1]]).tolist():
+        points = above["points"][above["offsets"][number] : above["offsets"][number + 1]]
+        ring = shapely.buffer(shapely.polygons(points), 0.0)
+        area = shapely.symmetric_difference(area, ring)
+    return area
 
 
 def _rims(cut: Cut, wireframe: Wireframe) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:

@@ -103,26 +103,34 @@ def proved(mesh: Mesh, plain: Wireframe, region: Region, settings: Settings) -> 
         strands = wireframe(mesh, settings, layered)
         path = toolpath(strands, settings)
         verdict = check(document.body(path, settings, document.dated(None)), settings)
-        blamed = _blamed(plan, verdict, settings)
-        if not blamed:
+        blamed, hollow = _blamed(plan, verdict, settings)
+        if not (blamed or hollow):
             return Proved(plan, strands, path, rounds)
         if rounds == _ROUNDS:
             blamed = dict.fromkeys(range(len(plan.sections)), "unproved") | blamed
-        plan = plan.without(blamed)
+        plan = plan.without(blamed, hollow)
     return Proved(plan, plain, toolpath(plain, settings), rounds)
 
 
-def _blamed(plan: Plan, verdict: Certificate, settings: Settings) -> dict[int, str]:
-    """Return the runs nearest to breaches of the rules, with the reason for each."""
+def _blamed(
+    plan: Plan, verdict: Certificate, settings: Settings
+) -> tuple[dict[int, str], dict[int, str]]:
+    """Return what is to be done without, with the reason for each: runs, and the inside of slabs.
+
+    A breach is put down to the fill behind the walls if that is there, else to the nearest run.
+    """
     painted = np.flatnonzero(plan.runs.of_sample >= 0)
     middles = plan.samples.middle[painted]
     centre = np.array([*settings.printer.bed.centre_mm, 0.0])
     blamed: dict[int, str] = {}
-    if not len(painted):
-        return blamed
+    hollow: dict[int, str] = {}
     for name, breaches in verdict.breaches().items():
         for breach in breaches:
             place = np.array(getattr(breach, _PLACES[name])) - centre
-            nearest = painted[np.argmin(np.sum((middles - place) ** 2, axis=1))]
-            blamed.setdefault(int(plan.runs.of_sample[nearest]), _REASONS[name])
-    return blamed
+            slab = plan.filled_at(place)
+            if slab is not None:
+                hollow.setdefault(slab, _REASONS[name])
+            elif len(painted):
+                nearest = painted[np.argmin(np.sum((middles - place) ** 2, axis=1))]
+                blamed.setdefault(int(plan.runs.of_sample[nearest]), _REASONS[name])
+    return blamed, hollow

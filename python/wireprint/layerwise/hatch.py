@@ -35,6 +35,12 @@ class Strokes:
         """Return the number of strokes."""
         return len(self.area)
 
+    def ends(self, turn_rad: Floats, spacing_mm: float) -> Floats:
+        """Return both ends of each stroke, mm, shape (N, 2, 2), given what they were made with."""
+        y = (self.line.astype(np.float64) + 0.5) * spacing_mm
+        turn = turn_rad[self.area]
+        return np.stack([_turned(self.low, y, turn), _turned(self.high, y, turn)], axis=1)
+
 
 def hatched(
     areas: Geometries, turn_rad: Floats, spacing_mm: float, line_mm: float, link_mm: float
@@ -59,14 +65,14 @@ def hatched(
     Lines
         Open lines; `Lines.owner` is the index of the area.
     """
-    strokes = _strokes(areas, turn_rad, spacing_mm, line_mm)
-    if not len(strokes):
+    found = strokes(areas, turn_rad, spacing_mm, line_mm)
+    if not len(found):
         return Lines.empty()
-    chain, rank = _chains(strokes)
+    chain, rank = _chains(found)
     order = np.lexsort((rank, chain))
-    area, line = strokes.area[order], strokes.line[order]
+    area, line = found.area[order], found.line[order]
     backwards = rank[order] % 2 == 1
-    low, high = strokes.low[order], strokes.high[order]
+    low, high = found.low[order], found.high[order]
     begin, end = np.where(backwards, high, low), np.where(backwards, low, high)
     y = (line.astype(np.float64) + 0.5) * spacing_mm
     joined = chain[order][1:] == chain[order][:-1]
@@ -83,8 +89,13 @@ def hatched(
     return Lines(points, offsets, area[firsts // 2], closed=False)
 
 
-def _strokes(areas: Geometries, turn_rad: Floats, spacing_mm: float, line_mm: float) -> Strokes:
-    """Cross every edge with every scan line; between odd and even crossings lies the area."""
+def strokes(areas: Geometries, turn_rad: Floats, spacing_mm: float, line_mm: float) -> Strokes:
+    """Return the parts of scan lines that lie in areas; see `hatched`.
+
+    Notes
+    -----
+    Every edge is crossed with every scan line; between odd and even crossings lies the area.
+    """
     parts, area_of_part = shapely.get_parts(areas, return_index=True)
     rings, part_of_ring = shapely.get_rings(parts, return_index=True)
     points, ring_of_point = shapely.get_coordinates(rings, return_index=True)
