@@ -19,7 +19,7 @@ fn steps_with(settings: MachineSettings, text: &str) -> Vec<Step> {
     let mut machine = Machine::new(settings);
     let mut steps = Vec::new();
     for (line, command) in Commands::new(text.as_bytes()) {
-        machine.apply(line, command, |event| {
+        machine.apply(line, &command, |event| {
             if let Event::Step(step) = event {
                 steps.push(step);
             }
@@ -40,7 +40,7 @@ fn dwells(settings: MachineSettings, text: &str) -> Vec<f64> {
     let mut machine = Machine::new(settings);
     let mut dwells = Vec::new();
     for (line, command) in Commands::new(text.as_bytes()) {
-        machine.apply(line, command, |event| {
+        machine.apply(line, &command, |event| {
             if let Event::Dwell(seconds) = event {
                 dwells.push(seconds);
             }
@@ -130,7 +130,7 @@ fn labels_and_layers_are_reported() {
     let mut machine = Machine::new(KLIPPER);
     let mut seen = Vec::new();
     for (line, command) in Commands::new(b";TYPE:POST\n;LAYER_CHANGE\n;Z:3.5\nG1 X1\n;LAYER:4\n") {
-        machine.apply(line, command, |event| {
+        machine.apply(line, &command, |event| {
             seen.push(match event {
                 Event::Step(step) => format!("step of feature {}", step.feature),
                 other => format!("{other:?}"),

@@ -27,7 +27,7 @@ impl Reading {
         let mut machine = Machine::new(settings);
         let (mut moves, mut dwells, mut garbage_lines) = (Vec::new(), Vec::new(), 0);
         for (line, command) in Commands::new(text) {
-            machine.apply(line, command, |event| match event {
+            machine.apply(line, &command, |event| match event {
                 Event::Step(step) => moves.push(step),
                 Event::Dwell(time_s) if time_s > 0.0 && !moves.is_empty() => {
                     dwells.push(moves.len() - 1);

@@ -141,15 +141,15 @@ impl Machine {
     pub fn apply<'a>(
         &mut self,
         line: u64,
-        command: Command<'a>,
+        command: &Command<'a>,
         mut report: impl FnMut(Event<'a>),
     ) {
-        match command {
-            Command::Linear { rapid, axes } => self.straight(line, rapid, axes, &mut report),
-            Command::Arc { clockwise, axes, centre } => {
+        match *command {
+            Command::Linear { rapid, ref axes } => self.straight(line, rapid, axes, &mut report),
+            Command::Arc { clockwise, ref axes, centre } => {
                 self.set_feed(axes.f);
                 let from = self.position;
-                let to = self.target(&axes);
+                let to = self.target(axes);
                 let filament = self.feed_filament(axes.e);
                 let centre = arc::Centre::new(centre, self.mm_per_unit);
                 let path = arc::Arc { from, to, centre, clockwise, plane: self.plane };
@@ -160,7 +160,7 @@ impl Machine {
                 }
             }
             Command::Comment(text) => self.comment(text, &mut report),
-            _ => self.modal(command, &mut report),
+            _ => self.modal(*command, &mut report),
         }
     }
 
@@ -169,11 +169,11 @@ impl Machine {
         &mut self,
         line: u64,
         rapid: bool,
-        axes: Axes,
+        axes: &Axes,
         report: &mut impl FnMut(Event<'a>),
     ) {
         self.set_feed(axes.f);
-        let to = self.target(&axes);
+        let to = self.target(axes);
         let filament = if axes.e.is_some() { self.feed_filament(axes.e) } else { 0.0 };
         self.step(line, rapid, to, filament, report);
     }

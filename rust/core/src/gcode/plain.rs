@@ -17,19 +17,19 @@ pub(super) fn plain_move(text: &[u8]) -> Option<(Command<'_>, usize)> {
     let mut at = 3;
     loop {
         let (letter, tail) = text.get(at..)?.split_first()?;
-        let axis = match letter {
-            b'X' => &mut axes.x,
-            b'Y' => &mut axes.y,
-            b'Z' => &mut axes.z,
-            b'E' => &mut axes.e,
-            b'F' => &mut axes.f,
-            _ => return None,
-        };
         let (value, length) = decimal(tail)?;
         if value.abs() > LARGEST {
             return None;
         }
-        *axis = Some(value);
+        // Not by a reference that depends on the letter: that would keep the words out of registers.
+        match letter {
+            b'X' => axes.x = Some(value),
+            b'Y' => axes.y = Some(value),
+            b'Z' => axes.z = Some(value),
+            b'E' => axes.e = Some(value),
+            b'F' => axes.f = Some(value),
+            _ => return None,
+        }
         at += 1 + length;
         match text.get(at)? {
             b' ' => at += 1,

@@ -70,7 +70,7 @@ impl<'a> Iterator for Commands<'a> {
 /// Those of `source` and of `visit`.
 pub fn stream(
     mut source: impl Read,
-    mut visit: impl FnMut(u64, Command<'_>) -> Result<()>,
+    mut visit: impl FnMut(u64, &Command<'_>) -> Result<()>,
 ) -> Result<()> {
     let mut buffer = vec![0; CHUNK];
     let (mut filled, mut lines) = (0, 0);
@@ -92,7 +92,7 @@ pub fn stream(
             let start = if lines == 0 { ready.strip_prefix(BOM).unwrap_or(ready) } else { ready };
             let mut commands = Commands::after(start, lines);
             for (line, command) in &mut commands {
-                visit(line, command)?;
+                visit(line, &command)?;
             }
             lines = commands.line;
             buffer.copy_within(complete..filled, 0);
@@ -100,7 +100,7 @@ pub fn stream(
         }
         if filled == CHUNK {
             lines += 1;
-            visit(lines, Command::Garbage(&buffer))?;
+            visit(lines, &Command::Garbage(&buffer))?;
             filled = 0;
             skipping = true;
         }

@@ -205,7 +205,7 @@ impl Run {
             _ => {}
         }
         match &mut self.planner {
-            Planner::Klipper(planner) => planner.command(&command),
+            Planner::Klipper(planner) => planner.command(&command, &mut self.tally),
             Planner::Marlin(planner) => planner.command(&command),
         }
     }

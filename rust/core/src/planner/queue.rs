@@ -8,7 +8,7 @@ pub(super) const BATCH: usize = 64;
 pub(super) const MOST: usize = 1 << 15;
 
 /// What the tally must know of a move once its time is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Tag {
     /// Line of the file.
     pub line: u64,

@@ -6,6 +6,12 @@ pub(super) fn lesser(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
+/// The greater of two numbers, likewise.
+#[inline]
+pub(super) fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
 /// Time of a move of length `length_d` that enters at `√entry_v2`, cruises at `√cruise_v2` and
 /// leaves at `√exit_v2`, changing speed at `accel`, s.
 ///

@@ -58,7 +58,7 @@ impl Strands {
             if let Command::Comment(comment) = command {
                 filament_diameter = stated_diameter(comment).unwrap_or(filament_diameter);
             }
-            machine.apply(line, command, |event| {
+            machine.apply(line, &command, |event| {
                 if let Event::Step(step) = event {
                     strands.add_step(&step);
                 }
