@@ -53,8 +53,7 @@ const FLAT_STEP: f64 = 0.01;
 #[must_use]
 pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
     let order = Order::new(mesh);
-    let (join, split) =
-        rayon::join(|| sweep(mesh, &order, Sweep::Up), || sweep(mesh, &order, Sweep::Down));
+    let (join, split) = rayon::join(|| sweep(&order, Sweep::Up), || sweep(&order, Sweep::Down));
     let mut found = flats(mesh, least * least);
     let mut paired = vec![0_u32; mesh.vertices.len()];
     for (sweep, end) in [(&join, FeatureKind::Minimum), (&split, FeatureKind::Maximum)] {
@@ -71,7 +70,7 @@ pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
             }
         }
     }
-    for (v, multiplicity) in saddles(mesh, &order.rank).into_iter().enumerate() {
+    for (v, multiplicity) in saddles(mesh, &order).into_iter().enumerate() {
         if multiplicity > paired[v] {
             found.push(Feature::at(mesh.vertices[v].z, FeatureKind::Saddle, f64::INFINITY));
         }
@@ -80,12 +79,15 @@ pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
     found
 }
 
+/// Fewer vertices than this are sorted by one thread.
+const FEW: usize = 1 << 14;
+
 /// The vertices in the order by (height, index), which breaks all ties.
 struct Order {
-    /// Vertices, the lowest first.
+    /// Vertices, the lowest first: a vertex's place in here is its rank.
     vertices: Vec<u32>,
-    /// Position of each vertex.
-    rank: Vec<u32>,
+    /// The ranks of each face's corners, ascending.
+    faces: Vec<[u32; 3]>,
 }
 
 impl Order {
@@ -97,24 +99,41 @@ impl Order {
         };
         let mut keys: Vec<(u64, u32)> =
             mesh.vertices.iter().zip(0..).map(|(v, i)| (key(v.z), i)).collect();
-        keys.par_sort_unstable();
+        if keys.len() < FEW {
+            keys.sort_unstable();
+        } else {
+            keys.par_sort_unstable();
+        }
         let vertices: Vec<u32> = keys.into_iter().map(|(_, v)| v).collect();
         let mut rank = vec![0; vertices.len()];
         for (r, &v) in (0..).zip(&vertices) {
             rank[v as usize] = r;
         }
-        Self { vertices, rank }
+        let faces = mesh.faces.iter().map(|face| ascending(face.map(|v| rank[v as usize])));
+        Self { faces: faces.collect(), vertices }
     }
 
-    /// When a vertex appears in the sweep: upwards its rank, downwards its rank from above.
-    fn turn(&self, v: u32, sweep: Sweep) -> u32 {
-        sweep.turn(self.rank[v as usize], self.vertices.len())
+    /// The corners of each face as turns of a sweep, in the order in which they appear.
+    fn appearing(&self, sweep: Sweep) -> impl Iterator<Item = [usize; 3]> + '_ {
+        let count = self.vertices.len();
+        self.faces.iter().map(move |&[low, middle, high]| match sweep {
+            Sweep::Up => [low, middle, high].map(|rank| rank as usize),
+            Sweep::Down => [high, middle, low].map(|rank| count - 1 - rank as usize),
+        })
     }
 
-    /// The vertex that appears at a turn of the sweep.
-    fn vertex(&self, turn: u32, sweep: Sweep) -> u32 {
-        self.vertices[sweep.turn(turn, self.vertices.len()) as usize]
+    /// The vertex that appears at a turn of a sweep.
+    fn vertex(&self, turn: usize, sweep: Sweep) -> u32 {
+        match sweep {
+            Sweep::Up => self.vertices[turn],
+            Sweep::Down => self.vertices[self.vertices.len() - 1 - turn],
+        }
     }
+}
+
+fn ascending([a, b, c]: [u32; 3]) -> [u32; 3] {
+    let (low, high) = (a.min(b), a.max(b));
+    [low.min(c), low.max(high.min(c)), high.max(c)]
 }
 
 /// The direction in which components are joined.
@@ -124,74 +143,69 @@ enum Sweep {
     Down,
 }
 
-impl Sweep {
-    /// Turns ranks into turns, and back again.
-    fn turn(self, rank: u32, count: usize) -> u32 {
-        match self {
-            Self::Up => rank,
-            Self::Down => (count - 1) as u32 - rank,
-        }
-    }
-}
-
 /// An extremum with the saddle at which its component joins an older one; None for the last.
 struct Pair {
     extremum: u32,
     saddle: Option<u32>,
 }
 
-/// Joins components along edges in the order in which vertices appear; pairs with zero persistence
-/// (flat regions) are listed too, for they use up saddles.
-fn sweep(mesh: &Mesh, order: &Order, sweep: Sweep) -> Vec<Pair> {
-    let vertex = |turn: u32| order.vertex(turn, sweep);
-    let count = mesh.vertices.len() as u32;
+/// Joins components in the order in which vertices appear; pairs with zero persistence (flat
+/// regions) are listed too, for they use up saddles.
+fn sweep(order: &Order, sweep: Sweep) -> Vec<Pair> {
+    let count = order.vertices.len();
+    let (begins, firsts) = joins(order, sweep);
     // Components are sets of turns, each rooted at its oldest.
-    let mut parent: Vec<u32> = (0..count).collect();
+    let mut parent: Vec<u32> = (0..count as u32).collect();
     let mut pairs = Vec::new();
-    for edge in edges(mesh, order, sweep) {
-        let (late, early) = ((edge >> 32) as u32, edge as u32);
-        let (a, b) = (find(&mut parent, late), find(&mut parent, early));
-        if a == b {
-            continue;
-        }
-        let (elder, extremum) = (a.min(b), a.max(b));
-        if extremum != late {
-            pairs.push(Pair { extremum: vertex(extremum), saddle: Some(vertex(late)) });
-        }
-        parent[extremum as usize] = elder;
-    }
-    let used: Vec<bool> = used_vertices(mesh);
-    for turn in 0..count {
-        let v = vertex(turn);
-        if used[v as usize] && find(&mut parent, turn) == turn {
-            pairs.push(Pair { extremum: v, saddle: None });
-        }
-    }
-    pairs
-}
-
-/// The edges as they appear in a sweep, each one number: its later turn above its earlier one.
-fn edges(mesh: &Mesh, order: &Order, sweep: Sweep) -> Vec<u64> {
-    let mut edges: Vec<u64> = Vec::with_capacity(mesh.faces.len() * 3 / 2 + 1);
-    for (f, (face, neighbours)) in mesh.faces.iter().zip(&mesh.neighbours).enumerate() {
-        let turns = face.map(|v| u64::from(order.turn(v, sweep)));
-        for i in 0..3 {
-            if neighbours[i] == NO_FACE || neighbours[i] as usize > f {
-                let (a, b) = (turns[i], turns[(i + 1) % 3]);
-                edges.push(a.max(b) << 32 | a.min(b));
+    let pair = |extremum: u32, saddle: Option<usize>| Pair {
+        extremum: order.vertex(extremum as usize, sweep),
+        saddle: saddle.map(|turn| order.vertex(turn, sweep)),
+    };
+    for late in 0..count {
+        let mut root = late as u32;
+        for &first in &firsts[begins[late] as usize..begins[late + 1] as usize] {
+            let other = find(&mut parent, first);
+            let (elder, extremum) = (root.min(other), root.max(other));
+            if elder != extremum {
+                if extremum as usize != late {
+                    pairs.push(pair(extremum, Some(late)));
+                }
+                parent[extremum as usize] = elder;
+                root = elder;
             }
         }
     }
-    edges.par_sort_unstable();
-    edges
+    // A vertex without faces is no extremum.
+    let mut has_faces = vec![false; count];
+    for &first in &firsts {
+        has_faces[first as usize] = true;
+    }
+    let last = |&turn: &u32| parent[turn as usize] == turn && has_faces[turn as usize];
+    pairs.extend((0..count as u32).filter(last).map(|turn| pair(turn, None)));
+    pairs
 }
 
-fn used_vertices(mesh: &Mesh) -> Vec<bool> {
-    let mut used = vec![false; mesh.vertices.len()];
-    for &v in mesh.faces.iter().flatten() {
-        used[v as usize] = true;
+/// For each turn of a sweep, the earlier turns that are joined with it, and where they begin: two
+/// of a face's edges, both from the corner that appears first, join all three.
+fn joins(order: &Order, sweep: Sweep) -> (Vec<u32>, Vec<u32>) {
+    let mut begins = vec![0_u32; order.vertices.len() + 2];
+    for [_, middle, last] in order.appearing(sweep) {
+        begins[middle + 2] += 1;
+        begins[last + 2] += 1;
     }
-    used
+    for i in 2..begins.len() {
+        begins[i] += begins[i - 1];
+    }
+    // Each entry moves on as its turn is filled, until it is where the next one begins.
+    let mut firsts = vec![0_u32; 2 * order.faces.len()];
+    for [first, middle, last] in order.appearing(sweep) {
+        for late in [middle, last] {
+            let next = &mut begins[late + 1];
+            firsts[*next as usize] = first as u32;
+            *next += 1;
+        }
+    }
+    (begins, firsts)
 }
 
 fn find(parent: &mut [u32], mut v: u32) -> u32 {
@@ -204,25 +218,20 @@ fn find(parent: &mut [u32], mut v: u32) -> u32 {
 
 /// Multiplicity of each vertex as a saddle: half the sign changes around its link, less one.
 /// A face changes sign at the vertex that is its middle one by rank. Rims have no full link.
-fn saddles(mesh: &Mesh, rank: &[u32]) -> Vec<u32> {
+fn saddles(mesh: &Mesh, order: &Order) -> Vec<u32> {
     let mut changes = vec![0_u32; mesh.vertices.len()];
-    let mut rim = vec![false; mesh.vertices.len()];
+    for &[_, middle, _] in &order.faces {
+        changes[order.vertices[middle as usize] as usize] += 1;
+    }
+    let mut multiplicities: Vec<u32> =
+        changes.into_iter().map(|count| (count / 2).saturating_sub(1)).collect();
     for (face, neighbours) in mesh.faces.iter().zip(&mesh.neighbours) {
-        let mut corners = *face;
-        corners.sort_unstable_by_key(|&v| rank[v as usize]);
-        changes[corners[1] as usize] += 1;
-        for i in 0..3 {
-            if neighbours[i] == NO_FACE {
-                rim[face[i] as usize] = true;
-                rim[face[(i + 1) % 3] as usize] = true;
-            }
+        for i in (0..3).filter(|&i| neighbours[i] == NO_FACE) {
+            multiplicities[face[i] as usize] = 0;
+            multiplicities[face[(i + 1) % 3] as usize] = 0;
         }
     }
-    changes
-        .into_iter()
-        .zip(rim)
-        .map(|(c, on_rim)| if on_rim { 0 } else { (c / 2).saturating_sub(1) })
-        .collect()
+    multiplicities
 }
 
 /// Heights of horizontal faces whose area comes to at least `least` mm².
@@ -232,8 +241,9 @@ fn flats(mesh: &Mesh, least: f64) -> Vec<Feature> {
     for face in &mesh.faces {
         let [a, b, c] = face.map(|v| mesh.vertices[v as usize]);
         let double = (b - a).cross(c - a);
-        let area = double.length() * 0.5;
-        if area > 0.0 && double.z.abs() * 0.5 >= HORIZONTAL * area {
+        let square = double.length_squared();
+        if square > 0.0 && double.z * double.z >= HORIZONTAL * HORIZONTAL * square {
+            let area = square.sqrt() * 0.5;
             let key = ((a.z + b.z + c.z) / (3.0 * FLAT_STEP)).round() as i64;
             let sum = by_height.entry(key).or_insert((0.0, f64::INFINITY, f64::NEG_INFINITY));
             sum.0 += area;
