@@ -4,6 +4,7 @@
 //! direction they look in (the outline's counterpart above and below looks the same way) and by
 //! height; the slopes of one direction add up to a profile, and the strip is that profile's chord.
 
+use glam::DVec2;
 use rayon::prelude::*;
 
 use super::features::HORIZONTAL;
@@ -21,131 +22,165 @@ const STEEPEST: f64 = 20.0;
 /// Faces a task, fixed so that sums do not depend on the number of threads.
 const CHUNK: usize = 1 << 16;
 
-/// The faces of one kind in one layer.
-#[derive(Debug, Clone, Copy, Default)]
-struct Cell {
+/// A number for each kind: laid side by side, so that sums over all kinds are taken at once.
+type Kinds = [f64; KINDS];
+
+/// The faces of one layer, by kind.
+#[derive(Debug, Clone, Copy)]
+struct Layer {
     /// Area, mm².
-    area: f64,
+    area: Kinds,
     /// Area as seen from the side, mm².
-    upright: f64,
-    /// Mean slope by upright area; while summing, slope times upright area.
-    slope: f64,
+    upright: Kinds,
+    /// Slope times upright area, mm².
+    outward: Kinds,
+}
+
+impl Layer {
+    const EMPTY: Self = Self { area: [0.0; KINDS], upright: [0.0; KINDS], outward: [0.0; KINDS] };
+
+    fn plus(&self, other: &Self) -> Self {
+        let sum = |a: &Kinds, b: &Kinds| std::array::from_fn(|kind| a[kind] + b[kind]);
+        Self {
+            area: sum(&self.area, &other.area),
+            upright: sum(&self.upright, &other.upright),
+            outward: sum(&self.outward, &other.outward),
+        }
+    }
 }
 
 /// The slopes of a mesh by direction and height.
 #[derive(Debug)]
 pub struct Profile {
-    bottom: f64,
-    step: f64,
-    layers: usize,
-    /// By kind, then by layer.
-    cells: Vec<Cell>,
-    /// First layer with a face of each kind, and one past the last.
-    spans: Vec<(usize, usize)>,
+    ladder: Ladder,
+    /// Area of each layer by kind, mm².
+    areas: Vec<Kinds>,
+    /// How far out each kind has come where a layer begins, mm; one more than there are layers.
+    reaches: Vec<Kinds>,
+    /// The same halfway up each layer.
+    middles: Vec<Kinds>,
 }
 
 impl Profile {
     /// Reads the slopes of `mesh` between `bottom` and `top` in layers of about `step` mm.
     #[must_use]
     pub fn new(mesh: &Mesh, bottom: f64, top: f64, step: f64) -> Self {
-        let layers = (((top - bottom) / step).ceil() as usize).max(1);
-        let step = (top - bottom).max(f64::MIN_POSITIVE) / layers as f64;
-        let cells = vec![Cell::default(); layers * KINDS];
-        let empty = Self { bottom, step, layers, cells, spans: Vec::new() };
-        let parts: Vec<Vec<Cell>> = mesh
+        let count = (((top - bottom) / step).ceil() as usize).max(1);
+        let step = (top - bottom).max(f64::MIN_POSITIVE) / count as f64;
+        let ladder = Ladder { bottom, step, count };
+        let parts: Vec<Vec<Layer>> = mesh
             .faces
             .par_chunks(CHUNK)
             .map(|faces| {
-                let mut part = empty.cells.clone();
+                let mut part = vec![Layer::EMPTY; count];
                 for face in faces {
-                    empty.add_face(mesh, *face, &mut part);
+                    ladder.add_face(mesh, *face, &mut part);
                 }
                 part
             })
             .collect();
-        let mut profile = empty;
-        for part in parts {
-            for (sum, cell) in profile.cells.iter_mut().zip(part) {
-                sum.area += cell.area;
-                sum.upright += cell.upright;
-                sum.slope += cell.slope;
+        let (mut areas, mut middles) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut reaches = vec![[0.0; KINDS]];
+        let mut reach = [0.0; KINDS];
+        for i in 0..count {
+            let layer = parts.iter().fold(Layer::EMPTY, |sum, part| sum.plus(&part[i]));
+            let low = reach;
+            let faces = layer.outward.iter().zip(&layer.upright);
+            for (reach, (outward, upright)) in reach.iter_mut().zip(faces) {
+                *reach += if *upright > 0.0 { outward / upright * step } else { 0.0 };
             }
+            areas.push(layer.area);
+            middles.push(std::array::from_fn(|kind| 0.5 * (low[kind] + reach[kind])));
+            reaches.push(reach);
         }
-        for cell in profile.cells.iter_mut().filter(|c| c.upright > 0.0) {
-            cell.slope /= cell.upright;
-        }
-        profile.spans = profile.cells.chunks(profile.layers).map(span).collect();
-        profile
-    }
-
-    fn add_face(&self, mesh: &Mesh, face: [u32; 3], cells: &mut [Cell]) {
-        let [a, b, c] = face.map(|v| mesh.vertices[v as usize]);
-        let normal = (b - a).cross(c - a) * 0.5;
-        let across = normal.truncate().length();
-        // A flat is no wall, whichever way it happens to lean.
-        if normal.z.abs() >= HORIZONTAL * normal.length() {
-            return;
-        }
-        let slope = (-normal.z / across).clamp(-STEEPEST, STEEPEST);
-        let turn = normal.y.atan2(normal.x) / std::f64::consts::TAU;
-        let direction = ((turn.rem_euclid(1.0) * DIRECTIONS as f64) as usize).min(DIRECTIONS - 1);
-        let kind = if slope.abs() > LEANING { DIRECTIONS + direction } else { direction };
-        let low = a.z.min(b.z).min(c.z);
-        let high = a.z.max(b.z).max(c.z);
-        let (first, last) = (self.layer(low), self.layer(high));
-        // The face, spread evenly over its layers.
-        let share = 1.0 / (last - first + 1) as f64;
-        for layer in first..=last {
-            let cell = &mut cells[kind * self.layers + layer];
-            cell.area += share * normal.length();
-            cell.upright += share * across;
-            cell.slope += share * across * slope;
-        }
-    }
-
-    fn layer(&self, z: f64) -> usize {
-        (((z - self.bottom) / self.step).max(0.0) as usize).min(self.layers - 1)
+        Self { ladder, areas, reaches, middles }
     }
 
     /// Mean distance, mm, between the surface and the ruled strip from height `from` to `to`, and
     /// how far kinds of face lean over more than `longest` mm: the excess as a share, times area.
     #[must_use]
     pub fn deviation(&self, from: f64, to: f64, longest: f64) -> (f64, f64) {
-        let (first, last) = (self.layer(from + 0.5 * self.step), self.layer(to - 0.5 * self.step));
+        let Ladder { step, .. } = self.ladder;
+        let first = self.ladder.layer(from + 0.5 * step);
+        let last = self.ladder.layer(to - 0.5 * step).max(first);
+        let count = (last - first + 1) as f64;
+        let (begin, end) = (&self.reaches[first], &self.reaches[last + 1]);
+        let (mut sums, mut areas) = ([0.0; KINDS], [0.0; KINDS]);
+        for (i, (area, middle)) in
+            self.areas.iter().zip(&self.middles).enumerate().take(last + 1).skip(first)
+        {
+            let share = ((i - first) as f64 + 0.5) / count;
+            for kind in 0..KINDS {
+                let chord = begin[kind] + share * (end[kind] - begin[kind]);
+                sums[kind] += area[kind] * (middle[kind] - chord).abs();
+                areas[kind] += area[kind];
+            }
+        }
         let (mut sum, mut area, mut leaning) = (0.0, 0.0, 0.0);
         for kind in 0..KINDS {
-            let (s, a, lean) = self.kind_deviation(kind, first, last.max(first));
-            sum += s;
-            area += a;
-            leaning += a * (lean.abs() / longest - 1.0).max(0.0);
+            let lean = end[kind] - begin[kind];
+            let slope = lean / (count * step);
+            sum += sums[kind] / (1.0 + slope * slope).sqrt();
+            area += areas[kind];
+            leaning += areas[kind] * (lean.abs() / longest - 1.0).max(0.0);
         }
         (if area > 0.0 { sum / area } else { 0.0 }, leaning)
     }
+}
 
-    /// Deviation times area, area, and lean of one kind of face between two layers.
-    fn kind_deviation(&self, kind: usize, first: usize, last: usize) -> (f64, f64, f64) {
-        let (begin, end) = self.spans[kind];
-        if begin > last || end <= first {
-            return (0.0, 0.0, 0.0);
+/// Layers of equal height, one above the other.
+#[derive(Debug)]
+struct Ladder {
+    /// Where the lowest begins, mm.
+    bottom: f64,
+    /// Their height, mm.
+    step: f64,
+    count: usize,
+}
+
+impl Ladder {
+    fn layer(&self, z: f64) -> usize {
+        (((z - self.bottom) / self.step).max(0.0) as usize).min(self.count - 1)
+    }
+
+    fn add_face(&self, mesh: &Mesh, face: [u32; 3], layers: &mut [Layer]) {
+        let [a, b, c] = face.map(|v| mesh.vertices[v as usize]);
+        let normal = (b - a).cross(c - a) * 0.5;
+        let area = normal.length();
+        // A flat is no wall, whichever way it happens to lean.
+        if normal.z.abs() >= HORIZONTAL * area {
+            return;
         }
-        let cells = &self.cells[kind * self.layers..][first..=last];
-        let total: f64 = cells.iter().map(|c| c.slope).sum();
-        let mean = total / cells.len() as f64;
-        let upright = 1.0 / (1.0 + mean * mean).sqrt();
-        let (mut reach, mut sum, mut area) = (0.0_f64, 0.0, 0.0);
-        for c in cells {
-            let stray = (c.slope - mean) * self.step;
-            sum += c.area * (reach + 0.5 * stray).abs();
-            area += c.area;
-            reach += stray;
+        let across = normal.truncate().length();
+        let slope = (-normal.z / across).clamp(-STEEPEST, STEEPEST);
+        let direction = direction(normal.truncate());
+        let kind = if slope.abs() > LEANING { DIRECTIONS + direction } else { direction };
+        let low = a.z.min(b.z).min(c.z);
+        let high = a.z.max(b.z).max(c.z);
+        let (first, last) = (self.layer(low), self.layer(high));
+        // The face, spread evenly over its layers.
+        let share = 1.0 / (last - first + 1) as f64;
+        for layer in &mut layers[first..=last] {
+            layer.area[kind] += share * area;
+            layer.upright[kind] += share * across;
+            layer.outward[kind] += share * across * slope;
         }
-        (sum * upright, area, total * self.step)
     }
 }
 
-/// First cell with faces, and one past the last.
-fn span(cells: &[Cell]) -> (usize, usize) {
-    let holds = |c: &Cell| c.area > 0.0;
-    let begin = cells.iter().position(holds).unwrap_or(cells.len());
-    (begin, cells.iter().rposition(holds).map_or(begin, |i| i + 1))
+/// Which of the [`DIRECTIONS`] a vector points in, counter-clockwise from the x axis.
+fn direction(v: DVec2) -> usize {
+    // Turned back into the first quadrant; its four parts end at 22.5°, 45° and 67.5°.
+    let (quarters, v) = if v.x > 0.0 && v.y >= 0.0 {
+        (0, v)
+    } else if v.y > 0.0 {
+        (1, -v.perp())
+    } else if v.x < 0.0 {
+        (2, -v)
+    } else {
+        (3, v.perp())
+    };
+    let steep = std::f64::consts::SQRT_2 - 1.0;
+    let parts = [v.y >= steep * v.x, v.y >= v.x, steep * v.y >= v.x];
+    4 * quarters + parts.into_iter().filter(|&beyond| beyond).count()
 }
