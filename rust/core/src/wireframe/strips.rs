@@ -201,31 +201,31 @@ impl<'a> Surface<'a> {
         for (place, &face) in (0..).zip(faces) {
             local[face as usize] = place;
         }
-        let surface = Self { mesh, interval, faces, local, sets: UnionFind::new(faces.len()) };
+        let mut surface = Self { mesh, interval, faces, local, sets: UnionFind::new(faces.len()) };
         surface.unite_neighbours();
         surface
     }
 
-    fn unite_neighbours(&self) {
+    fn unite_neighbours(&mut self) {
         for (place, &face) in (0..).zip(self.faces) {
             let z = heights(self.mesh, self.mesh.faces[face as usize]);
             for (side, &beyond) in self.mesh.neighbours[face as usize].iter().enumerate() {
                 let (a, b) = (z[side], z[(side + 1) % 3]);
                 // Each shared edge is seen from both faces; once is enough.
                 if beyond < face && self.interval.meets(a.min(b), a.max(b)) {
-                    self.sets.join(place, self.local[beyond as usize]);
+                    self.sets.join_alone(place, self.local[beyond as usize]);
                 }
             }
         }
     }
 
     /// Unites all pieces that a contour runs over; gives one of its places.
-    fn unite_contour(&self, contour: &Contour) -> Option<u32> {
+    fn unite_contour(&mut self, contour: &Contour) -> Option<u32> {
         let mut first = None;
         for &face in &contour.faces {
             let place = self.local[face as usize];
             if place != NO_FACE {
-                self.sets.join(*first.get_or_insert(place), place);
+                self.sets.join_alone(*first.get_or_insert(place), place);
             }
         }
         first
@@ -248,8 +248,8 @@ impl<'a> Surface<'a> {
         (pieces, numbers)
     }
 
-    fn strips(self, slab: &Slab) -> Vec<Strip> {
-        let places = |contours: &[Contour]| -> Vec<Option<u32>> {
+    fn strips(mut self, slab: &Slab) -> Vec<Strip> {
+        let mut places = |contours: &[Contour]| -> Vec<Option<u32>> {
             contours.iter().map(|contour| self.unite_contour(contour)).collect()
         };
         let (lower, upper) = (places(slab.lower), places(slab.upper));
@@ -301,11 +301,13 @@ impl Piece {
 }
 
 /// Share of a triangle's area between two heights; it must not be level outside them.
-fn share_between(mut z: [f64; 3], low: f64, high: f64) -> f64 {
-    if z.iter().all(|z| (low..=high).contains(z)) {
+fn share_between([a, b, c]: [f64; 3], low: f64, high: f64) -> f64 {
+    let (least, most) = extent([a, b, c]);
+    if low <= least && most <= high {
         return 1.0;
     }
-    z.sort_by(f64::total_cmp);
+    let middle = a.min(b).max(a.max(b).min(c));
+    let z = [least, middle, most];
     share_below(z, high) - share_below(z, low)
 }
 
