@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::ahead::Ahead;
 use super::curve::Curve;
 use super::layered::Line;
-use super::posts::{Post, between};
+use super::posts::{Post, followed};
 use super::rim::Rim;
 use super::zigzag::Step;
 use super::{Kind, Strand};
@@ -228,10 +228,8 @@ fn stretches(curve: &Curve, posts: &[Post], course: &Course) -> Vec<Vec<DVec3>> 
         .windows(2)
         .map(|pair| {
             let (from, arc) = (course.start + pair[0], pair[1] - pair[0]);
-            let inner = between(curve, from, arc, tolerance);
-            let ends = [curve.position(from), curve.position(from + arc)];
-            let points = std::iter::once(ends[0]).chain(inner).chain([ends[1]]);
-            points.map(|p| p.extend(course.z)).collect()
+            let points = followed(curve, from, arc, tolerance);
+            points.into_iter().map(|p| p.extend(course.z)).collect()
         })
         .collect();
     if !curve.is_closed() {

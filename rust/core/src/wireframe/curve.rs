@@ -63,6 +63,12 @@ pub struct Station {
 }
 
 impl Station {
+    /// Where it is, mm.
+    #[must_use]
+    pub fn position(&self) -> DVec2 {
+        self.position
+    }
+
     /// Integral of the squared distance between the curve from here to `end`, further along it,
     /// and the chord's line, mm³: what a strand loses that cuts straight across.
     #[must_use]
@@ -124,7 +130,8 @@ impl Curve {
             at.push(s);
             moments.push(m);
         }
-        let segments = Segments::new(kept.windows(2).map(|pair| [pair[0], pair[1]]).collect());
+        let ends: Vec<[DVec2; 2]> = kept.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let segments = Segments::new(&ends);
         let corners = Vec::new();
         let mut curve = Self { points: kept, at, moments, segments, corners, closed };
         curve.corners = curve.find_corners();
@@ -158,7 +165,12 @@ impl Curve {
     /// Brings an arc length into the curve: modulo the length if closed, clamped if open.
     #[must_use]
     pub fn wrap(&self, s: f64) -> f64 {
-        if self.closed { s.rem_euclid(self.length()) } else { s.clamp(0.0, self.length()) }
+        let length = self.length();
+        match self.closed {
+            _ if (0.0..length).contains(&s) => s,
+            true => s.rem_euclid(length),
+            false => s.clamp(0.0, length),
+        }
     }
 
     /// Index of the segment that holds arc length `s`.
@@ -201,10 +213,28 @@ impl Curve {
     /// The point `ahead` mm beyond arc length `start`; `ahead` is at most one lap.
     #[must_use]
     pub fn station(&self, start: f64, ahead: f64) -> Station {
-        let s = start + ahead;
+        self.station_from(start + ahead, &mut 0)
+    }
+
+    /// The points `aheads` mm beyond arc length `start`, sooner found where they ascend.
+    pub fn stations(
+        &self,
+        start: f64,
+        aheads: impl Iterator<Item = f64>,
+    ) -> impl Iterator<Item = Station> {
+        let mut segment = 0;
+        aheads.map(move |ahead| self.station_from(start + ahead, &mut segment))
+    }
+
+    /// The point at arc length `s`, within two laps; it lies on `segment`, or that is put right.
+    fn station_from(&self, s: f64, segment: &mut usize) -> Station {
         let lap = if self.closed && s >= self.length() { 1.0 } else { 0.0 };
         let place = (s - lap * self.length()).clamp(0.0, self.length());
-        let i = self.segment(place);
+        let holds =
+            |&i: &usize| self.at[i] <= place && self.at.get(i + 1).is_some_and(|&end| place < end);
+        let i = [*segment, *segment + 1].into_iter().find(holds);
+        let i = i.unwrap_or_else(|| self.segment(place));
+        *segment = i;
         let t = (place - self.at[i]) / (self.at[i + 1] - self.at[i]).max(f64::MIN_POSITIVE);
         let position = self.points[i].lerp(self.points[i + 1], t.clamp(0.0, 1.0));
         let all = self.moments[self.moments.len() - 1];
@@ -213,13 +243,13 @@ impl Curve {
         Station { s, position, moments }
     }
 
-    /// The interior vertices of the arc that starts at `from` and runs `arc` mm forward.
+    /// The arc that starts at `from` and runs `arc` mm forward: its ends and the vertices between.
     #[must_use]
-    pub fn arc_points(&self, from: f64, arc: f64) -> Vec<DVec2> {
+    pub fn arc(&self, from: f64, arc: f64) -> Vec<DVec2> {
         let start = self.wrap(from);
         let count = self.points.len() - 1;
         let first = self.segment(start) + 1;
-        let mut out = Vec::new();
+        let mut out = vec![self.position(from)];
         for step in 0..count {
             let index = first + step;
             let (i, lap) = if index > count { (index - count, 1.0) } else { (index, 0.0) };
@@ -234,6 +264,7 @@ impl Curve {
                 out.push(self.points[i]);
             }
         }
+        out.push(self.position(from + arc));
         out
     }
 
@@ -275,28 +306,26 @@ impl Curve {
     }
 }
 
-/// Ramer–Douglas–Peucker: the indices of the points to keep so that the polyline stays within
-/// `tolerance` mm of every dropped point. The ends are kept.
+/// Ramer–Douglas–Peucker: the indices of the points to keep, ascending, so that the polyline stays
+/// within `tolerance` mm of every dropped point. The ends are kept.
 #[must_use]
 pub fn simplify(points: &[DVec2], tolerance: f64) -> Vec<usize> {
     if points.len() < 3 {
         return (0..points.len()).collect();
     }
-    let mut keep = vec![false; points.len()];
-    keep[0] = true;
-    keep[points.len() - 1] = true;
-    let mut stack = vec![(0, points.len() - 1)];
-    while let Some((a, b)) = stack.pop() {
+    let mut kept = vec![0];
+    // The ends of the stretches to come, the nearest one last.
+    let mut ends = vec![points.len() - 1];
+    while let (Some(&a), Some(&b)) = (kept.last(), ends.last()) {
         let far = (a + 1..b)
             .map(|i| (segment_distance(points[i], points[a], points[b]), i))
             .fold((tolerance, None), |m, (d, i)| if d > m.0 { (d, Some(i)) } else { m });
-        if let Some(i) = far.1 {
-            keep[i] = true;
-            stack.push((a, i));
-            stack.push((i, b));
+        match far.1 {
+            Some(i) => ends.push(i),
+            None => kept.extend(ends.pop()),
         }
     }
-    (0..points.len()).filter(|&i| keep[i]).collect()
+    kept
 }
 
 /// Distance from `p` to the segment from `a` to `b`, mm.
@@ -337,11 +366,11 @@ mod tests {
     }
 
     #[test]
-    fn arcs_list_the_vertices_between_their_ends() {
+    fn arcs_list_their_ends_and_the_vertices_between() {
         let curve = square();
-        let expected: Vec<DVec2> = vec![(0.0, 0.0).into(), (10.0, 0.0).into()];
-        assert_eq!(curve.arc_points(35.0, 20.0), expected);
-        assert!(curve.arc_points(1.0, 8.0).is_empty());
+        let expected = [(0.0, 5.0), (0.0, 0.0), (10.0, 0.0), (10.0, 5.0)].map(DVec2::from);
+        assert_eq!(curve.arc(35.0, 20.0), expected);
+        assert_eq!(curve.arc(1.0, 8.0), [(1.0, 0.0), (9.0, 0.0)].map(DVec2::from));
     }
 
     #[test]

@@ -159,19 +159,13 @@ pub fn take_out(curves: &mut Vec<Option<Curve>>, stretches: &[Stretch]) -> Vec<P
 
 /// The open curve of a stretch of a contour.
 fn part(whole: &Curve, from: f64, length: f64) -> Option<Curve> {
-    (length > NOTHING).then(|| Curve::new(&points(whole, from, length), false)).flatten()
-}
-
-fn points(whole: &Curve, from: f64, length: f64) -> Vec<DVec2> {
-    let inner = whole.arc_points(from, length);
-    let ends = [whole.position(from), whole.position(from + length)];
-    std::iter::once(ends[0]).chain(inner).chain([ends[1]]).collect()
+    (length > NOTHING).then(|| Curve::new(&whole.arc(from, length), false)).flatten()
 }
 
 /// The top of a region's last layer along a stretch of a contour, as what the next slab stands on.
 #[must_use]
 pub fn rim_of(whole: &Curve, from: f64, length: f64, z: f64) -> Rim {
-    let all = points(whole, from, length);
+    let all = whole.arc(from, length);
     let kept: Vec<DVec2> = simplify(&all, FOLLOW).into_iter().map(|i| all[i]).collect();
     let mut rim = Rim { printed: true, held: true, ..Rim::default() };
     for pair in kept.windows(2) {

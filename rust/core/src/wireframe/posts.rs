@@ -7,7 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::curve::{Curve, Station};
+use super::curve::{Curve, Station, simplify};
 use super::rim::{Footing, Rim};
 use crate::head::Head;
 
@@ -27,6 +27,8 @@ pub struct Post {
 pub struct Candidate {
     /// The post.
     pub post: Post,
+    /// The contour at its peak.
+    pub station: Station,
     /// Distance of the foothold from the nearest peak below, mm.
     pub offset: f64,
     /// Least arc length to the next post, mm: more than the head asks where walls come close.
@@ -53,6 +55,8 @@ const EVEN: f64 = 0.6;
 const ALIGN: f64 = 1.2;
 /// A chain may leave gaps of up to this many ideal spacings before any gap is allowed.
 const WIDEST: f64 = 2.5;
+/// More than rounding adds up to along a contour, mm.
+const ROUNDING: f64 = 1e-6;
 
 /// Lists the candidates of a contour at height `z` from arc length `start` on, sorted by arc
 /// length; the first one is at the start, with its foothold on `from` if that is given. `on_peaks` keeps only those that stand on a rim vertex.
@@ -92,9 +96,18 @@ pub fn candidates(
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.is_some().cmp(&a.1.is_some())));
     merge_close(&mut places, 0.02 * step);
     places.retain(|place| !on_peaks || place.1.is_some());
+    let stations = curve.stations(start, places.iter().map(|place| place.0));
     places
-        .into_iter()
-        .filter_map(|(s, vertex)| candidate(curve, z, start, s, vertex, &footing))
+        .iter()
+        .zip(stations)
+        .filter_map(|(&(s, vertex), station)| {
+            let (base, offset) = match vertex {
+                Some(vertex) => (vertex, 0.0),
+                None => footing.nearest(station.position()).map(|f| (f.position, f.offset))?,
+            };
+            let post = Post { base, peak: station.position().extend(z), s };
+            Some(Candidate { post, station, offset, spacing: 0.0, room: f64::INFINITY })
+        })
         .collect()
 }
 
@@ -109,8 +122,8 @@ fn above(
 ) -> Option<f64> {
     let (place, segment) = curve.nearest_from(vertex.truncate(), *last);
     *last = segment;
-    let back = footing.nearest(place.position)?;
-    (back.position.distance(vertex) < step).then_some(place.s)
+    let away = place.position.distance(vertex.truncate());
+    footing.is_back(vertex, place.position, away, step).then_some(place.s)
 }
 
 fn merge_close(places: &mut Vec<(f64, Option<DVec3>)>, reach: f64) {
@@ -121,23 +134,6 @@ fn merge_close(places: &mut Vec<(f64, Option<DVec3>)>, reach: f64) {
         }
         same
     });
-}
-
-fn candidate(
-    curve: &Curve,
-    z: f64,
-    start: f64,
-    s: f64,
-    vertex: Option<DVec3>,
-    footing: &Footing,
-) -> Option<Candidate> {
-    let place = curve.position(start + s);
-    let (base, offset) = match vertex {
-        Some(v) => (v, 0.0),
-        None => footing.nearest(place).map(|f| (f.position, f.offset))?,
-    };
-    let post = Post { base, peak: place.extend(z), s };
-    Some(Candidate { post, offset, spacing: 0.0, room: f64::INFINITY })
 }
 
 /// Whether the head can print down from the peak of `from` to the base of `to` and up again.
@@ -159,9 +155,14 @@ pub fn place(
     p: &PostParams,
 ) -> Vec<Post> {
     let Some(first) = all.first() else { return Vec::new() };
-    let stations = all.iter().map(|c| curve.station(start, c.post.s)).collect();
-    let end = curve.station(start, curve.length());
-    let chain = Chain { curve, all, stations, end, head, p };
+    let chain = Chain {
+        curve,
+        all,
+        s: all.iter().map(|c| c.post.s).collect(),
+        end: curve.station(start, curve.length()),
+        head,
+        p,
+    };
     [WIDEST * p.ideal, f64::INFINITY]
         .into_iter()
         .find_map(|widest| chain.cheapest(widest))
@@ -172,7 +173,8 @@ pub fn place(
 struct Chain<'a> {
     curve: &'a Curve,
     all: &'a [Candidate],
-    stations: Vec<Station>,
+    /// Arc length of each peak, mm, side by side, since that is read most often.
+    s: Vec<f64>,
     end: Station,
     head: &'a Head,
     p: &'a PostParams,
@@ -180,43 +182,56 @@ struct Chain<'a> {
 
 impl Chain<'_> {
     fn cheapest(&self, widest: f64) -> Option<Vec<Post>> {
-        let (all, p) = (self.all, self.p);
-        let mut best = vec![(f64::INFINITY, 0_usize); all.len()];
-        best[0].0 = 0.0;
+        let all = self.all;
+        let mut costs = vec![f64::INFINITY; all.len()];
+        let mut before = vec![0_usize; all.len()];
+        costs[0] = 0.0;
         for j in 1..all.len() {
-            let align = ALIGN * (all[j].offset / p.ideal).powi(2);
+            let align = ALIGN * (all[j].offset / self.p.ideal).powi(2);
+            let barred = self.barred(j);
             for i in (0..j).rev() {
-                let arc = all[j].post.s - all[i].post.s;
+                let arc = self.s[j] - self.s[i];
+                if arc < barred {
+                    continue;
+                }
                 if arc > widest.max(1.5 * all[i].spacing) {
                     break;
                 }
                 // The cheap parts of the cost and of the test come first: most pairs fail there.
-                let bound = best[i].0 + align + self.uneven(i, arc);
-                if bound >= best[j].0
+                let bound = costs[i] + align + self.uneven(i, arc);
+                if bound >= costs[j]
                     || arc < all[i].spacing.max(all[j].spacing)
                     || !reachable(self.head, &all[i].post, &all[j].post)
                 {
                     continue;
                 }
-                let cost = bound + self.stray(i, &self.stations[j]);
-                if cost < best[j].0 {
-                    best[j] = (cost, i);
+                let cost = bound + self.stray(i, &all[j].station);
+                if cost < costs[j] {
+                    (costs[j], before[j]) = (cost, i);
                 }
             }
         }
         let end = (1..all.len())
-            .filter(|&j| best[j].0.is_finite())
-            .filter_map(|j| self.closing(j, widest).map(|c| (best[j].0 + c, j)))
+            .filter(|&j| costs[j].is_finite())
+            .filter_map(|j| self.closing(j, widest).map(|c| (costs[j] + c, j)))
             .min_by(|a, b| a.0.total_cmp(&b.0))?
             .1;
         let mut posts = vec![all[end].post];
         let mut at = end;
         while at > 0 {
-            at = best[at].1;
+            at = before[at];
             posts.push(all[at].post);
         }
         posts.reverse();
         Some(posts)
+    }
+
+    /// Arc length before a candidate within which no other reaches it, mm: a chord is no longer
+    /// than its arc, all peaks are equally high, and the base lies so far beside its own peak.
+    fn barred(&self, j: usize) -> f64 {
+        let Post { base, peak, .. } = self.all[j].post;
+        let beside = base.truncate().distance(peak.truncate());
+        self.head.clearance(peak.z - base.z) - beside - ROUNDING
     }
 
     /// Cost of ending the chain at a candidate; None where the way back to the start is barred.
@@ -234,14 +249,14 @@ impl Chain<'_> {
     fn uneven(&self, i: usize, arc: f64) -> f64 {
         let p = self.p;
         let uneven = arc / p.ideal.max(self.all[i].spacing) - 1.0;
-        let over = (arc - p.span_limit).max(0.0) / p.ideal;
+        let over = if arc > p.span_limit { (arc - p.span_limit) / p.ideal } else { 0.0 };
         EVEN * uneven * uneven + over * over
     }
 
     /// Cost of the chord from candidate `i` for straying from the contour.
     fn stray(&self, i: usize, to: &Station) -> f64 {
         let p = self.p;
-        self.stations[i].chord_error(to) / (p.ideal * p.chord_error * p.chord_error)
+        self.all[i].station.chord_error(to) / (p.ideal * p.chord_error * p.chord_error)
     }
 }
 
@@ -273,9 +288,9 @@ pub fn place_by_averaging(
         let gap = |p: &f64| signed_gap(curve, even, *p);
         let shift = projected.iter().map(gap).min_by(|a, b| a.abs().total_cmp(&b.abs()));
         let s = if i == 0 { 0.0 } else { even + 0.5 * shift.unwrap_or(0.0) };
-        let Some(next) = candidate(curve, z, start, s, None, &footing).map(|c| c.post) else {
-            continue;
-        };
+        let place = curve.position(start + s);
+        let Some(foothold) = footing.nearest(place) else { continue };
+        let next = Post { base: foothold.position, peak: place.extend(z), s };
         let clear = |earlier: &Post| reachable(head, earlier, &next);
         let last_free = !curve.is_closed() || posts.first().is_none_or(clear);
         if posts.last().is_none_or(clear) && last_free {
@@ -295,17 +310,10 @@ fn signed_gap(curve: &Curve, from: f64, to: f64) -> f64 {
     if ahead > 0.5 * length { ahead - length } else { ahead }
 }
 
-/// The contour's vertices between two peaks that a strand must follow to stay within `tolerance`.
+/// The way of a strand along a contour from arc length `from`, `arc` mm on: it stays within
+/// `tolerance` mm of the contour's vertices.
 #[must_use]
-pub fn between(curve: &Curve, from: f64, arc: f64, tolerance: f64) -> Vec<DVec2> {
-    let inner = curve.arc_points(from, arc);
-    if inner.is_empty() {
-        return inner;
-    }
-    let mut points = vec![curve.position(from)];
-    points.extend(inner);
-    points.push(curve.position(from + arc));
-    let kept = super::curve::simplify(&points, tolerance);
-    let inner = kept.len().saturating_sub(2);
-    kept.into_iter().skip(1).take(inner).map(|i| points[i]).collect()
+pub fn followed(curve: &Curve, from: f64, arc: f64, tolerance: f64) -> Vec<DVec2> {
+    let points = curve.arc(from, arc);
+    simplify(&points, tolerance).into_iter().map(|i| points[i]).collect()
 }

@@ -55,6 +55,8 @@ pub struct Footing<'a> {
     /// The rim of each segment, and the segment's ends, mm.
     of: Vec<(usize, [DVec3; 2])>,
     segments: Segments,
+    /// How far the highest vertex lies above the lowest, mm.
+    rise: f64,
     /// Where the last answer lay: the next one is likely not far.
     last: Cell<usize>,
 }
@@ -71,8 +73,11 @@ impl<'a> Footing<'a> {
                 of.extend(rim.points.first().map(|&only| (i, [only; 2])));
             }
         }
-        let segments = Segments::new(of.iter().map(|(_, e)| e.map(DVec3::truncate)).collect());
-        Self { rims, of, segments, last: Cell::new(0) }
+        let ends: Vec<[DVec2; 2]> = of.iter().map(|(_, ends)| ends.map(DVec3::truncate)).collect();
+        let heights = of.iter().flat_map(|(_, ends)| ends).map(|p| p.z);
+        let (low, high) =
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+        Self { rims, of, segments: Segments::new(&ends), rise: high - low, last: Cell::new(0) }
     }
 
     /// The place on the rims that is horizontally nearest to `p`; None without rims.
@@ -84,6 +89,15 @@ impl<'a> Footing<'a> {
         let beside = if self.rims[rim].held { 0.0 } else { near.t.min(1.0 - near.t) };
         let offset = beside * (b - a).truncate().length();
         Some(Foothold { position: a.lerp(b, near.t), distance: near.square.sqrt(), offset })
+    }
+
+    /// Whether `vertex`, one of the rims', lies within `reach` mm of the place that is nearest to a
+    /// point `away` mm beside it.
+    #[must_use]
+    pub fn is_back(&self, vertex: DVec3, p: DVec2, away: f64, reach: f64) -> bool {
+        // The nearest place is no farther from the point than the vertex is.
+        4.0 * away * away + self.rise * self.rise < reach * reach
+            || self.nearest(p).is_some_and(|back| back.position.distance(vertex) < reach)
     }
 
     /// Whether something printed lies within `distance` mm of a place.

@@ -1,31 +1,100 @@
 //! The nearest of many plane segments: runs of neighbours are passed over by their boxes.
+//!
+//! Segments and boxes lie in groups of [`RUN`], coordinate by coordinate, so that the compiler
+//! takes a whole group at once.
 
 use glam::DVec2;
 
-/// Segments in a run.
-const RUN: usize = 8;
+/// Segments in a run, and boxes in a group.
+const RUN: usize = 4;
+
+/// Boxes that lie farther than the nearest place by no more than this part are looked into, lest
+/// rounding hide one of two places that are equally near.
+const ROUNDING: f64 = 1e-12;
+
+/// A number for each of a group.
+type Lane = [f64; RUN];
 
 /// Segments in order, with the box of each run of them.
 #[derive(Debug, Clone, Default)]
 pub struct Segments {
-    lines: Vec<Line>,
-    boxes: Vec<[DVec2; 2]>,
+    runs: Vec<Run>,
+    boxes: Vec<Boxes>,
 }
 
-/// A segment, prepared for the question which of its places is nearest.
+/// Neighbouring segments, prepared for the question which of their places is nearest. The last run
+/// is filled up with copies of its last segment.
 #[derive(Debug, Clone, Copy)]
-struct Line {
-    from: DVec2,
-    along: DVec2,
+struct Run {
+    from: [Lane; 2],
+    along: [Lane; 2],
     /// 1 / |along|², or 0 for a point.
-    inverse_square: f64,
+    inverse_square: Lane,
 }
 
-impl Line {
-    fn new([a, b]: [DVec2; 2]) -> Self {
-        let along = b - a;
-        let square = along.length_squared();
-        Self { from: a, along, inverse_square: if square > 0.0 { 1.0 / square } else { 0.0 } }
+impl Run {
+    fn new(ends: &[[DVec2; 2]]) -> Self {
+        let end = |i: usize| ends[i.min(ends.len() - 1)];
+        let lane = |value: fn([DVec2; 2]) -> f64| std::array::from_fn(|i| value(end(i)));
+        Self {
+            from: [lane(|[a, _]| a.x), lane(|[a, _]| a.y)],
+            along: [lane(|[a, b]| b.x - a.x), lane(|[a, b]| b.y - a.y)],
+            inverse_square: lane(|[a, b]| {
+                let square = a.distance_squared(b);
+                if square > 0.0 { 1.0 / square } else { 0.0 }
+            }),
+        }
+    }
+
+    /// The nearest place of each segment: its share of the length, and the square of its distance.
+    fn places(&self, p: DVec2) -> (Lane, Lane) {
+        let ([from_x, from_y], [along_x, along_y]) = (&self.from, &self.along);
+        let (mut shares, mut squares) = ([0.0; RUN], [0.0; RUN]);
+        for i in 0..RUN {
+            let (x, y) = (p.x - from_x[i], p.y - from_y[i]);
+            let t = (x * along_x[i] + y * along_y[i]) * self.inverse_square[i];
+            let t = t.clamp(0.0, 1.0);
+            let (x, y) = (x - along_x[i] * t, y - along_y[i] * t);
+            (shares[i], squares[i]) = (t, x * x + y * y);
+        }
+        (shares, squares)
+    }
+}
+
+/// The boxes of neighbouring runs; the last group is filled up with boxes infinitely far away.
+#[derive(Debug, Clone, Copy)]
+struct Boxes {
+    low: [Lane; 2],
+    high: [Lane; 2],
+}
+
+impl Boxes {
+    fn new(ends: &[[DVec2; 2]]) -> Self {
+        let mut boxes =
+            Self { low: [[f64::INFINITY; RUN]; 2], high: [[f64::NEG_INFINITY; RUN]; 2] };
+        for (i, run) in ends.chunks(RUN).enumerate() {
+            for p in run.iter().flatten() {
+                for (axis, v) in [p.x, p.y].into_iter().enumerate() {
+                    boxes.low[axis][i] = boxes.low[axis][i].min(v);
+                    boxes.high[axis][i] = boxes.high[axis][i].max(v);
+                }
+            }
+        }
+        boxes
+    }
+
+    /// The square of the distance to each box.
+    fn squares(&self, p: DVec2) -> Lane {
+        let mut squares = [0.0; RUN];
+        for (axis, v) in [p.x, p.y].into_iter().enumerate() {
+            for (i, square) in squares.iter_mut().enumerate() {
+                let (below, above) = (self.low[axis][i] - v, v - self.high[axis][i]);
+                let beyond = if below > above { below } else { above };
+                let beyond = if beyond > 0.0 { beyond } else { 0.0 };
+                *square += beyond * beyond;
+            }
+        }
+        squares
     }
 }
 
@@ -43,36 +112,37 @@ pub struct Near {
 impl Segments {
     /// Lists segments by their ends.
     #[must_use]
-    pub fn new(ends: Vec<[DVec2; 2]>) -> Self {
-        let corners = |run: &[[DVec2; 2]]| {
-            let ends = run.iter().flatten();
-            ends.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[l, h], &p| [l.min(p), h.max(p)])
-        };
-        let boxes = ends.chunks(RUN).map(corners).collect();
-        Self { lines: ends.into_iter().map(Line::new).collect(), boxes }
+    pub fn new(ends: &[[DVec2; 2]]) -> Self {
+        Self {
+            runs: ends.chunks(RUN).map(Run::new).collect(),
+            boxes: ends.chunks(RUN * RUN).map(Boxes::new).collect(),
+        }
     }
 
     /// The place nearest to `p`: of equally near ones the first. None without segments. The answer
     /// comes sooner where `guess` is a segment not far away.
     #[must_use]
     pub fn nearest(&self, p: DVec2, guess: usize) -> Option<Near> {
-        let last = self.boxes.len().checked_sub(1)?;
-        let bound = self.nearest_of_run((guess / RUN).min(last), p)?.square;
-        let away = |[low, high]: [DVec2; 2]| p.distance_squared(p.clamp(low, high));
-        let runs = self.boxes.iter().enumerate().filter(|(_, corners)| away(**corners) <= bound);
-        runs.filter_map(|(run, _)| self.nearest_of_run(run, p))
-            .min_by(|a, b| a.square.total_cmp(&b.square))
-    }
-
-    fn nearest_of_run(&self, run: usize, p: DVec2) -> Option<Near> {
-        let begin = run * RUN;
-        let lines = self.lines[begin..].iter().take(RUN);
-        let places = (begin..).zip(lines).map(|(segment, line)| {
-            let to_p = p - line.from;
-            let t = (to_p.dot(line.along) * line.inverse_square).clamp(0.0, 1.0);
-            Near { segment, t, square: to_p.distance_squared(line.along * t) }
-        });
-        places.min_by(|a, b| a.square.total_cmp(&b.square))
+        let last = self.runs.len().checked_sub(1)?;
+        let (_, squares) = self.runs[(guess / RUN).min(last)].places(p);
+        let mut bound = squares.into_iter().fold(f64::INFINITY, f64::min);
+        let mut nearest: Option<Near> = None;
+        for (group, boxes) in self.boxes.iter().enumerate() {
+            for (i, square) in boxes.squares(p).into_iter().enumerate() {
+                if square > bound * (1.0 + ROUNDING) {
+                    continue;
+                }
+                let run = group * RUN + i;
+                let (shares, squares) = self.runs[run].places(p);
+                for (i, (t, square)) in shares.into_iter().zip(squares).enumerate() {
+                    if square < bound || square == bound && nearest.is_none() {
+                        bound = square;
+                        nearest = Some(Near { segment: run * RUN + i, t, square });
+                    }
+                }
+            }
+        }
+        nearest
     }
 }
 
@@ -94,7 +164,7 @@ mod tests {
             guess in 0..100_usize,
         ) {
             let ends: Vec<[DVec2; 2]> = ends.into_iter().map(|(a, b)| [a, b]).collect();
-            let near = Segments::new(ends.clone()).nearest(p, guess).unwrap();
+            let near = Segments::new(&ends).nearest(p, guess).unwrap();
             let [a, b] = ends[near.segment];
             prop_assert!((a.lerp(b, near.t).distance_squared(p) - near.square).abs() < 1e-9);
             for [a, b] in ends {
@@ -111,7 +181,7 @@ mod tests {
             (0..count).map(move |i| [at(i), at(i)]).collect::<Vec<_>>()
         };
         let doubled: Vec<[DVec2; 2]> = ring(40).into_iter().chain(ring(40)).collect();
-        let near = Segments::new(doubled).nearest(DVec2::new(2.0, 0.0), 55).unwrap();
+        let near = Segments::new(&doubled).nearest(DVec2::new(2.0, 0.0), 55).unwrap();
         assert_eq!(near.segment, 0);
     }
 }
