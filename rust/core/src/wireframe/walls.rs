@@ -7,6 +7,18 @@ use super::curve::Curve;
 /// A place on a contour: its number, arc length (mm) and position.
 type Sample = (u32, f64, DVec2);
 
+/// Successive samples of one contour in one cell.
+#[derive(Debug, Clone, Copy)]
+struct Run {
+    wall: usize,
+    /// Arc lengths of the first and the last one, mm.
+    from: f64,
+    to: f64,
+    /// Where they begin and end among all samples.
+    begin: usize,
+    end: usize,
+}
+
 /// The contours of one height, sampled into a grid.
 #[derive(Debug)]
 pub struct Walls {
@@ -15,9 +27,11 @@ pub struct Walls {
     columns: usize,
     rows: usize,
     lengths: Vec<(f64, bool)>,
-    /// Samples sorted by cell, and where each cell's begin.
+    /// Samples sorted by cell.
     samples: Vec<Sample>,
-    begins: Vec<u32>,
+    /// Runs of samples, and where each cell's begin.
+    runs: Vec<Run>,
+    begins: Vec<usize>,
 }
 
 /// Samples along a contour lie this far apart, mm.
@@ -42,28 +56,47 @@ impl Walls {
             .map(|c| c.as_ref().map_or((0.0, false), |c| (c.length(), c.is_closed())))
             .collect();
         let origin = if samples.is_empty() { DVec2::ZERO } else { low };
-        let begins = vec![0; columns * rows + 1];
-        let mut walls = Self { cell, origin, columns, rows, lengths, samples, begins };
+        let (runs, begins) = (Vec::new(), Vec::new());
+        let mut walls = Self { cell, origin, columns, rows, lengths, samples, runs, begins };
         walls.sort();
         walls
     }
 
-    /// Brings the samples into the order of their cells (counting sort).
+    /// Brings the samples into the order of their cells (counting sort), and finds their runs.
     fn sort(&mut self) {
         let cells: Vec<usize> = self.samples.iter().map(|s| self.cell_of(s.2)).collect();
+        let mut next = vec![0; self.columns * self.rows + 1];
         for &cell in &cells {
-            self.begins[cell + 1] += 1;
+            next[cell + 1] += 1;
         }
-        for i in 1..self.begins.len() {
-            self.begins[i] += self.begins[i - 1];
+        for i in 1..next.len() {
+            next[i] += next[i - 1];
         }
-        let mut next = self.begins.clone();
+        let begins = next.clone();
         let mut sorted = self.samples.clone();
         for (sample, cell) in self.samples.iter().zip(cells) {
-            sorted[next[cell] as usize] = *sample;
+            sorted[next[cell]] = *sample;
             next[cell] += 1;
         }
         self.samples = sorted;
+        self.begins = vec![0];
+        for cell in begins.windows(2) {
+            self.find_runs(cell[0], cell[1]);
+            self.begins.push(self.runs.len());
+        }
+    }
+
+    /// Lists the runs of a cell, whose samples are those from `begin` to `end`.
+    fn find_runs(&mut self, begin: usize, end: usize) {
+        let samples = &self.samples[begin..end];
+        let follows = |a: &Sample, b: &Sample| a.0 == b.0 && b.1 - a.1 < 2.0 * SAMPLE;
+        let mut begin = begin;
+        for run in samples.chunk_by(follows) {
+            let ((wall, from, _), (_, to, _)) = (run[0], run[run.len() - 1]);
+            let end = begin + run.len();
+            self.runs.push(Run { wall: wall as usize, from, to, begin, end });
+            begin = end;
+        }
     }
 
     fn place(&self, p: DVec2) -> (usize, usize) {
@@ -88,18 +121,32 @@ impl Walls {
         let mut nearest = reach * reach;
         for row in row.saturating_sub(1)..(row + 2).min(self.rows) {
             // The cells of one row lie side by side in memory.
-            let begin = self.begins[row * self.columns + columns.start] as usize;
-            let end = self.begins[row * self.columns + columns.end] as usize;
-            for &(other, at, p) in &self.samples[begin..end] {
-                let square = p.distance_squared(place);
-                if square < nearest
-                    && (other as usize != wall || self.apart(wall, s, at) > 2.5 * reach)
-                {
-                    nearest = square;
+            let begin = self.begins[row * self.columns + columns.start];
+            let end = self.begins[row * self.columns + columns.end];
+            for run in &self.runs[begin..end] {
+                if run.wall == wall && self.is_beside(run, s, 2.5 * reach) {
+                    continue;
+                }
+                for &(other, at, p) in &self.samples[run.begin..run.end] {
+                    let square = p.distance_squared(place);
+                    if square < nearest
+                        && (other as usize != wall || self.apart(wall, s, at) > 2.5 * reach)
+                    {
+                        nearest = square;
+                    }
                 }
             }
         }
         if nearest < reach * reach { nearest.sqrt() } else { f64::INFINITY }
+    }
+
+    /// Whether all of a run lies within some arc length, mm, of a place of its contour: both its
+    /// ends do, and it is too short to hold all that lies beyond on a closed one.
+    fn is_beside(&self, run: &Run, s: f64, within: f64) -> bool {
+        let (length, closed) = self.lengths[run.wall];
+        let beyond = length - 2.0 * within;
+        [run.from, run.to].into_iter().all(|end| self.apart(run.wall, s, end) <= within)
+            && (!closed || beyond <= 0.0 || run.to - run.from <= beyond)
     }
 
     /// Arc length between two places of one contour, the shorter way, mm.
