@@ -16,8 +16,16 @@ pub struct Material {
     rows: usize,
     cells: Vec<Vec<u32>>,
     filled: Vec<usize>,
-    strands: Vec<[DVec3; 2]>,
+    strands: Vec<Laid>,
     top: f64,
+}
+
+/// A strand, and the first column and row of the cells that list it.
+#[derive(Debug)]
+struct Laid {
+    ends: [DVec3; 2],
+    column: usize,
+    row: usize,
 }
 
 /// The grid has at most about this many cells a side.
@@ -55,9 +63,10 @@ impl Material {
     /// Adds a printed strand.
     pub fn add(&mut self, from: DVec3, to: DVec3) {
         let id = self.strands.len() as u32;
-        self.strands.push([from, to]);
         self.top = self.top.max(from.z).max(to.z);
         let (columns, rows) = self.span(from.truncate(), to.truncate(), 0.0);
+        let (column, row) = (*columns.start(), *rows.start());
+        self.strands.push(Laid { ends: [from, to], column, row });
         for row in rows {
             for column in columns.clone() {
                 let index = row * self.columns + column;
@@ -78,11 +87,15 @@ impl Material {
         }
         let reach = head.reach_at(rise);
         let (columns, rows) = self.span(from.truncate(), to.truncate(), reach);
+        let (left, low) = (*columns.start(), *rows.start());
         rows.into_iter().any(|row| {
             columns.clone().any(|column| {
                 self.cells[row * self.columns + column].iter().any(|&id| {
-                    let strand = self.strands[id as usize];
-                    head.deeper_than(tolerance, [from, to], strand).is_some()
+                    let strand = &self.strands[id as usize];
+                    // Several cells list it: it is tested in the first of them.
+                    strand.column.max(left) == column
+                        && strand.row.max(low) == row
+                        && head.deeper_than(tolerance, [from, to], strand.ends).is_some()
                 })
             })
         })

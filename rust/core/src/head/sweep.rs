@@ -119,6 +119,20 @@ impl Tier {
         let inside = r <= self.reach * (1.0 + 1e-12);
         inside.then(|| d.z - self.height - self.slope * (r - self.flat).max(0.0))
     }
+
+    /// Whether the box of the segment `from + u·along` leaves it possible that it is anywhere deeper
+    /// than `depth`, which is not negative; `false` is certain but for rounding, `true` is not.
+    fn may_reach(&self, from: DVec3, along: DVec3, depth: f64) -> bool {
+        let rise = from.z.max(from.z + along.z) - self.height - depth;
+        if rise <= 0.0 {
+            return false;
+        }
+        let (x, y) =
+            (gap(from.x, from.x + along.x, 0.0, 0.0), gap(from.y, from.y + along.y, 0.0, 0.0));
+        // A tier without a flank is bounded by its reach alone.
+        let reach = self.reach.min(self.flat + rise / self.slope);
+        x * x + y * y <= reach * reach * (1.0 + 1e-12)
+    }
 }
 
 /// The parallelogram `d(s, t) = base − s·tip + t·strand`.
@@ -147,11 +161,15 @@ impl Sweep {
         }
         for end in [0.0, 1.0] {
             let edge = self.base + end * self.strand;
-            if let Some((s, depth)) = steepest(tier, edge, -self.tip) {
+            if tier.may_reach(edge, -self.tip, worst.depth)
+                && let Some((s, depth)) = steepest(tier, edge, -self.tip)
+            {
                 worst.raise(depth, s, end);
             }
             let edge = self.base - end * self.tip;
-            if let Some((t, depth)) = steepest(tier, edge, self.strand) {
+            if tier.may_reach(edge, self.strand, worst.depth)
+                && let Some((t, depth)) = steepest(tier, edge, self.strand)
+            {
                 worst.raise(depth, end, t);
             }
         }
