@@ -7,6 +7,7 @@ import subprocess
 import sys
 import time
 import zipfile
+from xml.parsers import expat
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from hypothesis import strategies as st
 from threemf_files import (
     CUBE_FACES,
     CUBE_OBJECT,
+    ITEM,
     MODEL,
     cube_object,
     encoded,
@@ -26,14 +28,14 @@ from threemf_files import (
     write_3mf,
     write_zip,
 )
-from wireprint._core import ModelError, WireprintError
+from wireprint._core import ModelError, WireprintError, read_model_part
 from wireprint.mesh import load_mesh
 from wireprint.model import load_marks, load_model
 from wireprint.pipeline import make
-from wireprint.project import RELATIONSHIP, write_project
+from wireprint.project import write_project
 from wireprint.regions import Mask, Region, ZRange
 from wireprint.settings import Settings
-from wireprint.threemf.paint import decoded
+from wireprint.threemf.scene import PROJECT_TYPE
 
 CUBE = np.array([[i & 1, i >> 1 & 1, i >> 2] for i in range(8)], float)
 
@@ -48,6 +50,17 @@ trees = st.recursive(
     ),
     max_leaves=30,
 )
+
+
+def decoded(painting):
+    """Weights of a painted triangle's corners for those of its leaves, and their states."""
+    part = model(cube_object(attributes={5: f'paint_color="{painting}"'}))
+    _, [(_, (_, _, found, _, _))], _ = read_model_part([part.encode()])
+    whole, whole_states, owners, corners, states = found.leaves(
+        np.eye(3), np.array([[0, 1, 2]] * 6)
+    )
+    assert set(whole) | set(owners) == {5}
+    return (np.eye(3)[None], whole_states) if len(whole) else (corners.reshape(-1, 3, 3), states)
 
 
 def samples(random, count=300):
@@ -84,7 +97,7 @@ def test_the_leaves_fill_the_triangle(tree):
 
 @pytest.mark.parametrize("text", ["3", "83", "C", "44", "F", "xyz", "0 ", "44480"])
 def test_a_string_that_is_no_tree_is_refused(text):
-    with pytest.raises(ValueError, match=r"digits|base 16|corner"):
+    with pytest.raises(ModelError, match=r"triangle 5: '.*' .*(digits|base 16|corner)"):
         decoded(text)
 
 
@@ -222,6 +235,63 @@ def test_the_package_says_which_part_is_the_model(tmp_path):
     assert len(load_mesh(write_zip(tmp_path / "a.3mf", parts)).faces) == 12
 
 
+# --- XML
+
+SNIPPETS = [
+    *(
+        "<a>",
+        "</a>",
+        "<b x='1' y=\"2\"/>",
+        "<p:c p:x='' x=''>",
+        "</p:c>",
+        "text",
+        "&lt;&#65;&#x41;",
+    ),
+    *(
+        "<!-- c -->",
+        "<![CDATA[<&]]>",
+        "<?hint h?>",
+        "\n",
+        " ",
+        "<d xmlns='' xmlns:q='urn:q' q:x=''/>",
+    ),
+    *("]]>", "--", "<", ">", "&", ";", "'", '"', "=", "/", ":", "!", "?", "-", "x", "9", "é", "\t"),
+]
+
+
+@settings(max_examples=300)
+@given(
+    inner=st.lists(st.sampled_from(SNIPPETS), max_size=12),
+    edits=st.lists(st.tuples(st.integers(0, 200), st.integers(0, 3), st.sampled_from(SNIPPETS))),
+    cut=st.integers(1, 50),
+)
+def test_xml_is_well_formed_where_expat_says_so(inner, edits, cut):
+    text = f"<m xmlns='urn:m' xmlns:p='urn:p'>{''.join(inner)}</m>"
+    for place, length, word in edits:
+        text = text[:place] + word + text[place + length :]
+    content = text.encode()
+    parser = expat.ParserCreate(namespace_separator="|")
+    try:
+        parser.Parse(content, True)
+        expected = True
+    except expat.ExpatError:
+        expected = False
+    try:
+        read_model_part([content[:cut], content[cut:]])
+        found = True
+    except ModelError as error:
+        found = False
+        assert "damaged" in str(error)  # noqa: PT017
+    assert found == expected
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_a_model_may_be_written_in_either_encoding_that_3mf_allows(encoding, tmp_path):
+    text = f'<?xml version="1.0" encoding="{encoding[:6].rstrip("-")}"?>{model()}'
+    parts = {MODEL: text.encode(encoding)}
+    assert len(load_mesh(write_zip(tmp_path / "a.3mf", parts)).faces) == 12
+
+
 # --- hostile files
 
 
@@ -249,8 +319,10 @@ CHAIN = "".join(
     for i in range(2, 3000)
 )
 ELSEWHERE = '<object id="1"><components><component objectid="1" p:path="{}"/></components></object>'
+ELEMENT, COMPONENT = '<object id="n{}"/>', '<component objectid="1"/>'
+VERTEX = '<vertex x="0" y="0" z="0"/>'
 MODEL_TYPE = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
-PROJECT = {"_rels/.rels": relationships("/Metadata/x.json", RELATIONSHIP), MODEL: model()}
+PROJECT = {"_rels/.rels": relationships("/Metadata/x.json", PROJECT_TYPE), MODEL: model()}
 
 
 def cube_with(old, new):
@@ -314,6 +386,16 @@ HOSTILE = {
     "cycle": ({MODEL: model(CYCLE)}, "component of itself"),
     "chain": ({MODEL: model(CUBE_OBJECT + CHAIN, '<item objectid="2"/>')}, "deep"),
     "path of a component": ({MODEL: model(ELSEWHERE.format("/../../etc/passwd"))}, "leads out"),
+    "many objects": ({MODEL: model("".join(map(ELEMENT.format, range(70000))))}, "objects"),
+    "many components": (
+        {MODEL: model(CUBE_OBJECT + f'<object id="2">{COMPONENT * 70000}</object>')},
+        "items and components",
+    ),
+    "many vertices": (
+        {MODEL: model(CUBE_OBJECT.replace("<vertices>", "<vertices>" + VERTEX * 5000), ITEM * 900)},
+        "places more than",
+    ),
+    "endless name": ({MODEL: model(ELEMENT.format("x" * 2000))}, "a name of more than"),
     "missing part": ({MODEL: model(ELSEWHERE.format("/3D/x.model"))}, "no part '/3D/x.model'"),
     "nothing built": ({MODEL: model(items="")}, "no facets"),
     "paint that ends early": (painted_with("83"), "triangle 0: '83' has fewer digits"),

@@ -1,7 +1,7 @@
 """The extension module: what the Rust core offers to Python."""
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, ClassVar, TypeAlias, TypedDict, final
 
 import numpy as np
@@ -11,6 +11,9 @@ from wireprint.limits import MotionTable
 
 __all__ = [
     "HOLE_PERIMETER",
+    "MOST_DIGITS",
+    "MOST_TRIANGLES",
+    "MOST_VERTICES",
     "WELD_DISTANCE",
     "Certificate",
     "Estimate",
@@ -18,6 +21,7 @@ __all__ = [
     "GcodeError",
     "Mesh",
     "ModelError",
+    "Painting",
     "Scene",
     "SettingError",
     "Slices",
@@ -32,8 +36,10 @@ __all__ = [
     "deviation",
     "estimate",
     "estimate_files",
+    "find_relationship",
     "format_moves",
     "insert_progress",
+    "read_model_part",
     "slice_mesh",
     "toolpath",
     "wireframe",
@@ -50,6 +56,9 @@ class UnprintableError(WireprintError): ...
 class GcodeError(WireprintError): ...
 
 HOLE_PERIMETER: float
+MOST_DIGITS: int
+MOST_TRIANGLES: int
+MOST_VERTICES: int
 WELD_DISTANCE: float
 
 @final
@@ -111,6 +120,35 @@ class Mesh:
 class Facets:
     def __new__(cls, corners: npt.NDArray[np.float64]) -> Facets: ...
     def nearest(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.uint32]: ...
+
+_Place: TypeAlias = tuple[str, tuple[float, ...], str | None]
+_Object: TypeAlias = tuple[
+    npt.NDArray[np.float64],
+    npt.NDArray[np.uint32],
+    Painting,
+    list[tuple[str, npt.NDArray[np.uint32]]],
+    list[_Place],
+]
+_Leaves: TypeAlias = tuple[
+    npt.NDArray[np.uint32],
+    npt.NDArray[np.uint8],
+    npt.NDArray[np.uint32],
+    npt.NDArray[np.float64],
+    npt.NDArray[np.uint8],
+]
+
+def read_model_part(
+    chunks: Iterable[bytes],
+) -> tuple[float, list[tuple[str, _Object]], list[_Place]]: ...
+def find_relationship(chunks: Iterable[bytes], kind: str) -> str | None: ...
+
+@final
+class Painting:
+    @property
+    def digits(self) -> int: ...
+    def leaves(
+        self, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.integer[Any]]
+    ) -> _Leaves: ...
 
 @final
 class Slices:

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from wireprint import project
-from wireprint._core import Mesh, ModelError, SettingError
+from wireprint._core import Mesh, ModelError, SettingError, WireprintError
 from wireprint.mesh import AS_IT_IS, load_mesh
-from wireprint.regions import Region
-from wireprint.regions.painted import painted, set_names
-from wireprint.settings import Settings
 from wireprint.threemf.archive import Archive
-from wireprint.threemf.scene import read_scene
+from wireprint.threemf.scene import PROJECT_TYPE, read_scene, related_part
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Collection
+    from collections.abc import Collection, Iterator
+
+    from wireprint.project import Saved
+    from wireprint.regions import Region
+    from wireprint.settings import Settings
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,8 @@ def load_model(
         project's settings are wrong.
     """
     if Path(path).suffix.lower() != ".3mf":
+        from wireprint.regions import Region
+
         return Model(load_mesh(path, **placement), Region(), None)
     file = File3mf(Path(path))
     mesh = file.mesh(**placement)
@@ -88,7 +91,7 @@ def load_marks(
     """
     file = File3mf(Path(path))
     mesh = file.mesh(**placement | {"units": "mm"})
-    region = file.region(mesh, states, sets) or file.region(mesh, states, set_names(file.scene))
+    region = file.region(mesh, states, sets) or file.region(mesh, states, file.scene.set_names)
     if not region:
         raise ModelError(f"{path}: nothing in it is painted or marked as asked for")
     return region
@@ -99,9 +102,9 @@ class File3mf:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        with Archive(path) as archive:
+        with _named(path), Archive(path) as archive:
             self.scene = read_scene(archive)
-            self._saved = project.read_saved(archive)
+            self._saved = _saved(archive)
 
     def mesh(self, **placement: Any) -> Mesh:
         """Return the mesh where `wireprint.load_mesh` puts it.
@@ -116,19 +119,17 @@ class File3mf:
             raise SettingError(msg)
         vertices, faces = self.scene.facets()
         options["scale"] *= self.scene.unit_mm
-        try:
+        with _named(self.path):
             if as_it_is and self._saved is not None and self._saved.is_of(vertices, faces):
                 return Mesh.restored(vertices, faces, self._saved.paired)
             return Mesh.from_arrays(vertices, faces, **options)
-        except ModelError as error:
-            raise ModelError(f"{self.path}: {error}") from error
 
     def region(self, mesh: Mesh, states: Collection[int], sets: Collection[str]) -> Region:
         """Return what is painted, and then marked in the project, in a mesh's frame."""
-        try:
+        from wireprint.regions.painted import painted
+
+        with _named(self.path):
             region = painted(self.scene, states, sets)
-        except ModelError as error:
-            raise ModelError(f"{self.path}: {error}") from error
         if self._saved is not None:
             region = region.add(self._saved.strokes.region())
         return region.transformed(mesh.placement)
@@ -137,7 +138,27 @@ class File3mf:
         """Return a project's settings."""
         if self._saved is None:
             return None
-        try:
+        from wireprint.settings import Settings
+
+        with _named(self.path):
             return Settings.from_mapping(self._saved.settings)
-        except SettingError as error:
-            raise SettingError(f"{self.path}: {error}") from error
+
+
+def _saved(archive: Archive) -> Saved | None:
+    """Return what a file holds besides its mesh; None where it is no project."""
+    name = related_part(archive, PROJECT_TYPE)
+    if name is None:
+        return None
+    # Here and above, what imports pydantic comes after what ends a hostile file.
+    from wireprint.project import read_saved
+
+    return read_saved(archive, name)
+
+
+@contextmanager
+def _named(path: Path) -> Iterator[None]:
+    """Name the file in errors about it."""
+    try:
+        yield
+    except WireprintError as error:
+        raise type(error)(f"{path}: {error}") from error

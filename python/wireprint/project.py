@@ -3,8 +3,9 @@
 # No `from __future__ import annotations` here, for pydantic's sake; see `settings`.
 
 import hashlib
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated, Any, Final, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -16,13 +17,14 @@ from wireprint.regions import Region
 from wireprint.regions.document import MOST_BYTES, Document, check_size, validated
 from wireprint.settings import Settings
 from wireprint.threemf import write
-from wireprint.threemf.archive import Archive
-from wireprint.threemf.scene import related_part
+from wireprint.threemf.scene import PROJECT_TYPE
+
+if TYPE_CHECKING:
+    from wireprint.threemf.archive import Archive
 
 #: The part that makes a 3MF file a project; other programs pass over it.
 PART: Final = "Metadata/wireprint.json"
 CONTENT_TYPE: Final = "application/vnd.wireprint.project+json"
-RELATIONSHIP: Final = "urn:wireprint:project"
 
 
 _Index = Annotated[int, Field(ge=0, lt=2**32)]
@@ -44,7 +46,7 @@ class Saved(BaseModel):
     #: Marks in the frame of the mesh.
     strokes: Document = Document()
 
-    def is_of(self, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.int64]) -> bool:
+    def is_of(self, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.uint32]) -> bool:
         """Whether a mesh is the one that was saved, number by number."""
         return _digest(vertices, faces) == self.mesh_sha256
 
@@ -76,27 +78,30 @@ def write_project(path: str | Path, mesh: Mesh, settings: Settings, region: Regi
     )
     content = saved.model_dump_json(indent=1).encode()
     check_size(content, "the project", SettingError)
-    part = write.Extra(PART, CONTENT_TYPE, RELATIONSHIP, content)
+    part = write.Extra(PART, CONTENT_TYPE, PROJECT_TYPE, content)
     written_whole(Path(path), write.package(mesh, part))
 
 
-def read_saved(archive: Archive) -> Saved | None:
-    """Return what a 3MF file holds besides its mesh; None where it is no project.
+def read_saved(archive: "Archive", name: str) -> Saved:
+    """Return what a project holds besides its mesh, given the name of the part.
 
     Raises
     ------
     ModelError
         The part is missing, damaged, too large, or of another version.
     """
-    name = related_part(archive, RELATIONSHIP)
-    if name is None:
-        return None
-    place, content = f"{archive.path}: {name.removeprefix('/')}", bytearray()
-    for chunk in archive.chunks(name):
+    content = archive.read(name, _some)
+    return validated(Saved, content, name.removeprefix("/"), ModelError)
+
+
+def _some(chunks: Iterable[bytes]) -> bytes:
+    """Join the pieces of a part until they are too much for a project."""
+    content = bytearray()
+    for chunk in chunks:
         content += chunk
         if len(content) > MOST_BYTES:
             break
-    return validated(Saved, bytes(content), place, ModelError)
+    return bytes(content)
 
 
 def _paired(mesh: Mesh) -> tuple[tuple[int, int, int], ...]:

@@ -121,9 +121,10 @@ class Marks:
         from dataclasses import replace
 
         from wireprint.model import load_model
-        from wireprint.regions import Region
 
         model = load_model(path, states=self.states, sets=self.sets, **placement)
+        from wireprint.regions import Region
+
         region = model.region
         for file in self.files:
             region = region.add(self._read(file, placement))

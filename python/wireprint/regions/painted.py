@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from wireprint._core import ModelError
+from wireprint._core import MOST_DIGITS, ModelError
 from wireprint.regions.mask import Mask
 from wireprint.regions.region import Region
-from wireprint.threemf.paint import decoded
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator
+    from collections.abc import Collection
     from typing import TypeAlias
 
     import numpy.typing as npt
 
     from wireprint.threemf.scene import Instance, Scene
 
-    #: Weights of the corners of each leaf, and whether it is marked.
-    _Leaves: TypeAlias = tuple[npt.NDArray[np.float64], npt.NDArray[np.bool_]]
-
-#: Most digits of all paintings of a file, and so most triangles that they split into.
-MOST_DIGITS: Final = 1 << 21
+    _Flags: TypeAlias = npt.NDArray[np.bool_]
 
 
 def painted(scene: Scene, states: Collection[int] = (), sets: Collection[str] = ()) -> Region:
@@ -44,10 +39,10 @@ def painted(scene: Scene, states: Collection[int] = (), sets: Collection[str] = 
         There is no set of such a name, a set has triangles that its object lacks, or a painting is
         damaged.
     """
-    digits = sum(len(text) for mesh in scene.instances for text in mesh.mesh.paint.values())
+    digits = sum(instance.mesh.painting.digits for instance in scene.instances)
     if digits > MOST_DIGITS:
         raise ModelError(f"it is painted in {digits} digits (at most {MOST_DIGITS})")
-    known = set_names(scene)
+    known = scene.set_names
     for name in sets:
         if name not in known:
             there = f"it has {', '.join(map(repr, known))}" if known else "it has none"
@@ -60,11 +55,6 @@ def painted(scene: Scene, states: Collection[int] = (), sets: Collection[str] = 
     return mask.region()
 
 
-def set_names(scene: Scene) -> list[str]:
-    """Names of all triangle sets, each once, in the order of the file."""
-    return list(dict.fromkeys(name for mesh in scene.instances for name in mesh.mesh.sets))
-
-
 class _Mask:
     """Gathers the triangles of a scene, split ones replaced by what they are split into."""
 
@@ -73,66 +63,58 @@ class _Mask:
         self._sets = sets
         self._count = 0
         self._vertices: list[npt.NDArray[np.float64]] = []
-        self._faces: list[npt.NDArray[np.int64]] = []
-        self._marked: list[npt.NDArray[np.bool_]] = []
+        self._faces: list[npt.NDArray[np.uint32]] = []
+        self._marked: list[_Flags] = []
 
     def region(self) -> Region:
         """Return what was gathered."""
         marked = np.concatenate(self._marked)
         if not marked.any():
             return Region()
-        vertices = np.concatenate(self._vertices)
-        faces = np.concatenate(self._faces).astype(np.uint32)
+        vertices, faces = np.concatenate(self._vertices), np.concatenate(self._faces)
         return Region().add(Mask(vertices=vertices, faces=faces, marked=marked))
 
     def take(self, instance: Instance) -> None:
         """Gather one instance's triangles."""
-        faces, vertices = instance.faces, instance.vertices
-        marked, whole = self._in_sets(instance), np.ones(len(faces), np.bool_)
-        leaves, leaves_marked = [], []
-        for index, (weights, found) in self._painted(instance):
-            if len(found) == 1:
-                marked[index] |= found[0]
-            else:
-                whole[index] = False
-                leaves.append((weights @ vertices[faces[index]]).reshape(-1, 3))
-                leaves_marked.append(found | marked[index])
-        self._add(vertices, faces[whole], marked[whole])
-        if leaves:
-            corners = np.concatenate(leaves)
-            split = np.arange(len(corners)).reshape(-1, 3)
-            self._add(corners, split, np.concatenate(leaves_marked))
+        faces, vertices, marked = instance.mesh.faces, instance.vertices, self._in_sets(instance)
+        whole, whole_states, owners, corners, states = instance.mesh.painting.leaves(
+            vertices, faces
+        )
+        marked[whole] |= self._counts(whole_states)
+        unsplit = np.ones(len(faces), np.bool_)
+        unsplit[owners] = False
+        self._add(vertices, faces[unsplit], marked[unsplit])
+        split = np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)
+        self._add(corners, split, marked[owners] | self._counts(states))
 
     def _add(
-        self,
-        vertices: npt.NDArray[np.float64],
-        faces: npt.NDArray[np.int64],
-        marked: npt.NDArray[np.bool_],
+        self, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.uint32], marked: _Flags
     ) -> None:
         self._vertices.append(vertices)
-        self._faces.append(faces + self._count)
+        self._faces.append(faces + np.uint32(self._count))
         self._marked.append(marked)
         self._count += len(vertices)
 
-    def _in_sets(self, instance: Instance) -> npt.NDArray[np.bool_]:
-        """Tell which triangles are in one of the sets."""
-        inside = np.zeros(len(instance.faces), np.bool_)
-        for name in self._sets:
-            for first, last in instance.mesh.sets.get(name, ()):
-                if not 0 <= first <= last < len(inside):
-                    raise ModelError(
-                        f"triangle set {name!r} names triangles {first} to {last}, "
-                        f"but its object has {len(inside)}"
-                    )
-                inside[first : last + 1] = True
-        return inside
+    def _counts(self, states: npt.NDArray[np.uint8]) -> _Flags:
+        """Tell which states mark a triangle."""
+        return np.isin(states, self._states) if len(self._states) else states > 0
 
-    def _painted(self, instance: Instance) -> Iterator[tuple[int, _Leaves]]:
-        """Yield each painted triangle: its index, and weights and whether to mark of its leaves."""
-        for index, text in instance.mesh.paint.items():
-            try:
-                weights, states = decoded(text)
-            except ValueError as error:
-                raise ModelError(f"the painting of triangle {index}: {error}") from error
-            hit = np.isin(states, self._states) if len(self._states) else states > 0
-            yield index, (weights, hit)
+    def _in_sets(self, instance: Instance) -> _Flags:
+        """Tell which triangles are in one of the sets."""
+        count = len(instance.mesh.faces)
+        # Where ranges begin and end: inside are those where more have begun than have ended.
+        steps = np.zeros(count + 1, np.int64)
+        for name in self._sets:
+            ranges = instance.mesh.sets.get(name)
+            if ranges is None:
+                continue
+            first, last = ranges.T
+            wrong = np.flatnonzero((first > last) | (last >= count))
+            if len(wrong):
+                raise ModelError(
+                    f"triangle set {name!r} names triangles {first[wrong[0]]} to {last[wrong[0]]}, "
+                    f"but its object has {count}"
+                )
+            np.add.at(steps, first, 1)
+            np.add.at(steps, last + 1, -1)
+        return np.cumsum(steps[:-1]) > 0

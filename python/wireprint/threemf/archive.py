@@ -1,4 +1,7 @@
-"""A 3MF file as an archive of parts, opened with a guard against hostile ones."""
+"""A 3MF file as an archive of parts, opened with a guard against hostile ones.
+
+Errors do not name the file; who opens it does.
+"""
 
 from __future__ import annotations
 
@@ -59,11 +62,10 @@ class Archive:
     """
 
     def __init__(self, path: Path) -> None:
-        self.path = path
         try:
             self._file = _Guarded(path)
         except OSError as error:
-            raise ModelError(f"{path}: cannot be read as 3MF: {error.strerror}") from error
+            raise ModelError(f"cannot be read as 3MF: {error.strerror}") from error
         try:
             self._zip = self._guard(lambda: zipfile.ZipFile(self._file))
             self._parts = {name_of(info.filename): info for info in self._checked()}
@@ -84,19 +86,25 @@ class Archive:
         """Whether there is a part of this name."""
         return name_of(name) in self._parts
 
-    def chunks(self, name: str) -> Iterator[bytes]:
-        """Yield a part's content, a piece at a time.
+    def read(self, name: str, reader: Callable[[Iterator[bytes]], T]) -> T:
+        """Return what a reader makes of a part, which it is given a piece at a time.
 
         Raises
         ------
         ModelError
-            There is no such part, or it is damaged.
+            There is no such part, or it is damaged, or the reader refuses it.
         """
         if _ESCAPES.search(name.removeprefix("/")):
-            raise ModelError(f"{self.path}: refers to {name!r}, which leads out of the file")
+            raise ModelError(f"refers to {name!r}, which leads out of the file")
         info = self._parts.get(name_of(name))
         if info is None:
-            raise ModelError(f"{self.path}: has no part {name!r}")
+            raise ModelError(f"has no part {name!r}")
+        try:
+            return reader(self._chunks(info))
+        except ModelError as error:
+            raise ModelError(f"{name.removeprefix('/')}: {error}") from error
+
+    def _chunks(self, info: zipfile.ZipInfo) -> Iterator[bytes]:
         with self._guard(lambda: self._zip.open(info)) as part:
             while chunk := self._guard(lambda: part.read(CHUNK)):
                 yield chunk
@@ -107,17 +115,17 @@ class Archive:
         for info in self._zip.infolist():
             name = info.filename
             if _ESCAPES.search(name):
-                raise ModelError(f"{self.path}: has a part {name!r}, which leads out of the file")
+                raise ModelError(f"has a part {name!r}, which leads out of the file")
             if name_of(name) in seen:
-                raise ModelError(f"{self.path}: has two parts {name!r}")
+                raise ModelError(f"has two parts {name!r}")
             seen.add(name_of(name))
             if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-                raise ModelError(f"{self.path}: part {name!r} is packed in a way that 3MF forbids")
+                raise ModelError(f"part {name!r} is packed in a way that 3MF forbids")
             unpacked += info.file_size
             bomb = info.file_size > max(SMALL, MOST_RATIO * info.compress_size)
             if bomb or unpacked > MOST_UNPACKED:
                 raise ModelError(
-                    f"{self.path}: unpacks to {unpacked} bytes or more "
+                    f"it unpacks to {unpacked} bytes or more "
                     f"(at most {MOST_UNPACKED}, and {MOST_RATIO} times its own size); "
                     "export it as binary STL"
                 )
@@ -128,7 +136,7 @@ class Archive:
         try:
             return call()
         except _FAULTS as error:
-            raise ModelError(f"{self.path}: cannot be read as 3MF: {error}") from error
+            raise ModelError(f"cannot be read as 3MF: {error}") from error
 
 
 def name_of(name: str) -> str:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import io
 import zipfile
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from wireprint.threemf.part import CORE
 from wireprint.threemf.scene import MODEL_TYPE, RELATIONSHIPS, USUAL_MODEL
 
 if TYPE_CHECKING:
@@ -15,6 +14,8 @@ if TYPE_CHECKING:
 
     from wireprint._core import Mesh
 
+#: Namespace of the core specification.
+CORE: Final = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 #: The earliest time that a zip archive can state.
 _TIME = (1980, 1, 1, 0, 0, 0)
 _DEFLATE_LEVEL = 6

@@ -17,7 +17,9 @@ pub mod planner;
 pub mod poses;
 pub mod render;
 pub mod slices;
+pub mod threemf;
 pub mod toolpath;
 pub mod wireframe;
+pub mod xml;
 
 pub use error::{CoreError, Result};

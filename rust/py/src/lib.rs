@@ -10,6 +10,7 @@ mod layered;
 mod mesh;
 mod render;
 mod slices;
+mod threemf;
 mod toolpath;
 mod wireframe;
 
@@ -33,6 +34,8 @@ mod _core {
     #[pymodule_export]
     use super::slices::{Slices, slice_mesh};
     #[pymodule_export]
+    use super::threemf::{Painting, find_relationship, read_model_part};
+    #[pymodule_export]
     use super::toolpath::{Toolpath, toolpath};
     #[pymodule_export]
     use super::wireframe::{Wireframe, wireframe};
@@ -42,6 +45,9 @@ mod _core {
         super::errors::register(module)?;
         module.add("HOLE_PERIMETER", super::mesh::HOLE_PERIMETER)?;
         module.add("WELD_DISTANCE", super::mesh::WELD_DISTANCE)?;
+        module.add("MOST_TRIANGLES", super::threemf::MOST_TRIANGLES)?;
+        module.add("MOST_VERTICES", super::threemf::MOST_VERTICES)?;
+        module.add("MOST_DIGITS", super::threemf::MOST_DIGITS)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }
