@@ -250,7 +250,6 @@ class Scene:
         sizes: Sequence[tuple[int, int]],
         camera: tuple[float, float, float],
         *,
-        supersample: int,
         margin: float,
     ) -> list[bytes]: ...
 

@@ -410,5 +410,5 @@ def thumbnails(
     objects = [style.colour if style.is_object else None for style in styles]
     scene.add_strands(strands, objects)
     sizes = list(sizes)
-    pictures = scene.thumbnails(sizes, CAMERAS["iso"], supersample=2, margin=1.0)
+    pictures = scene.thumbnails(sizes, CAMERAS["iso"], margin=1.0)
     return [(width, height, png) for (width, height), png in zip(sizes, pictures, strict=True)]

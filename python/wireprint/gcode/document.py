@@ -252,4 +252,6 @@ def _settings_lines(values: Mapping[str, Any], prefix: str = "") -> Iterator[str
         if isinstance(value, dict):
             yield from _settings_lines(value, f"{prefix}{name}.")
         else:
-            yield f"; {prefix}{name} = {json.dumps(value)}"
+            # Most are numbers, all finite, which need no encoder.
+            text = repr(value) if type(value) in (int, float) else json.dumps(value)
+            yield f"; {prefix}{name} = {text}"

@@ -3,7 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
-use wireprint_core::render::{Camera, Facet, Frame, Image, Rgb, Scene, Stroke, Width, render};
+use wireprint_core::render::{
+    Camera, Facet, Frame, Image, Rgb, Scene, Stroke, Width, render, thumbnails,
+};
 use wireprint_core::{CoreError, Result};
 
 const RED: Rgb = [220, 30, 30];
@@ -214,4 +216,61 @@ fn what_cannot_be_drawn_is_refused_by_name() {
     assert!(refused(&none, &tilted, &FRAME).contains("elevation"));
     let broken = scene(&[tube([f64::NAN, 0.0, 0.0], [1.0, 0.0, 0.0], RED)]);
     assert!(refused(&broken, &FRONT, &FRAME).contains("finite"));
+}
+
+/// One thumbnail, 10 pixels from the edge, decoded.
+fn thumbnail(strokes: &[Stroke], camera: &Camera, width: usize, height: usize) -> Result<Image> {
+    let files = thumbnails(&scene(strokes), camera, &[(width, height)], 10.0)?;
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(&files[0]));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let failed = |error: png::DecodingError| CoreError::Io(std::io::Error::other(error));
+    let mut reader = decoder.read_info().map_err(failed)?;
+    let mut rgba = vec![0; width * height * 4];
+    reader.next_frame(&mut rgba).map_err(failed)?;
+    Ok(Image { width, height, rgba, px_per_mm: 0.0 })
+}
+
+#[test]
+fn a_thumbnail_covers_as_much_as_its_strand() -> Result<()> {
+    for slope in [0.0, 0.3, 1.0, 3.0] {
+        let strand = tube([0.0, 0.0, 0.0], [20.0, 0.0, 20.0 * slope], RED);
+        let image = thumbnail(&[strand], &FRONT, 220, 160)?;
+        let covered: f64 =
+            image.rgba.iter().skip(3).step_by(4).map(|a| f64::from(*a) / 255.0).sum();
+        // Lengths are fitted to the frame; widths follow.
+        let scale = (200.0 / 20.0_f64).min(140.0 / (20.0 * slope));
+        let length = 20.0 * f64::hypot(1.0, slope) * scale;
+        let radius = 0.5 * scale;
+        let area = 2.0 * radius * length + std::f64::consts::PI * radius * radius;
+        assert!((covered / area - 1.0).abs() < 0.03, "{slope}: {covered} of {area}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_thumbnail_shows_the_nearer_of_two_crossing_strands() -> Result<()> {
+    let near = tube([-9.0, -4.0, 5.0], [9.0, -4.0, 5.0], RED);
+    let far = tube([0.0, 4.0, 1.0], [0.0, 4.0, 9.0], BLUE);
+    for strokes in [[near, far], [far, near]] {
+        assert!(shows(&thumbnail(&strokes, &FRONT, 200, 100)?, 100, 50, RED));
+        let behind = Camera { azimuth: std::f64::consts::PI, ..FRONT };
+        assert!(shows(&thumbnail(&strokes, &behind, 200, 100)?, 100, 50, BLUE));
+    }
+    Ok(())
+}
+
+#[test]
+fn a_thumbnail_shows_where_a_strand_passes_before_the_far_end_of_a_longer_one() -> Result<()> {
+    // The long one's middle is nearer than the short one, its end is farther.
+    let long = tube([-9.0, -20.0, 5.0], [9.0, 20.0, 5.0], BLUE);
+    let short = tube([6.0, 8.0, 1.0], [6.0, 8.0, 9.0], RED);
+    let image = thumbnail(&[short, long], &FRONT, 200, 100)?;
+    assert!(shows(&image, 160, 50, RED), "{:?}", pixel(&image, 160, 50));
+    Ok(())
+}
+
+#[test]
+fn sizes_of_thumbnails_are_checked_like_those_of_pictures() {
+    let strand = tube([0.0; 3], [1.0; 3], RED);
+    assert!(matches!(thumbnail(&[strand], &FRONT, 0, 10), Err(CoreError::Setting(_))));
 }

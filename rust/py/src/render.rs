@@ -206,26 +206,18 @@ impl Scene {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// Draw pictures of few colours on a transparent ground, as the bytes of PNG files.
-    #[pyo3(signature = (sizes, camera, *, supersample, margin))]
+    /// Draw the strands in pictures of few colours on a transparent ground, as the bytes of PNG
+    /// files; smaller ones are larger ones scaled down, where these have their proportions.
+    #[pyo3(signature = (sizes, camera, *, margin))]
     fn thumbnails<'py>(
         &self,
         py: Python<'py>,
         sizes: Vec<(usize, usize)>,
         camera: (f64, f64, f64),
-        supersample: usize,
         margin: f64,
     ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-        let frame = |(width, height)| Frame {
-            width,
-            height,
-            supersample,
-            margins: [margin; 4],
-            ground: None,
-        };
-        let frames: Vec<Frame> = sizes.into_iter().map(frame).collect();
         let camera = view_from(camera);
-        let pictures = detached(py, || render::thumbnails(&self.core, &camera, &frames))?;
+        let pictures = detached(py, || render::thumbnails(&self.core, &camera, &sizes, margin))?;
         Ok(pictures.iter().map(|png| PyBytes::new(py, png)).collect())
     }
 }

@@ -4,8 +4,8 @@ use super::indexed;
 use super::scene::Rgb;
 use crate::error::{CoreError, Result};
 
-/// Effort of a thumbnail's compression: more costs twice the time for a hundredth of the size.
-const DEFLATE: u8 = 2;
+/// Effort of a thumbnail's compression: more costs twice the time for a tenth of the size.
+const DEFLATE: u8 = 1;
 
 /// Size, margins and ground of a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,8 +13,11 @@ mod indexed;
 mod raster;
 mod scene;
 mod shade;
+mod shrink;
+mod soft;
 mod strands;
 mod stroke;
+mod thumbnail;
 mod tiles;
 mod triangle;
 
@@ -34,21 +37,42 @@ use crate::error::{CoreError, Result};
 /// [`CoreError::Setting`] where the frame or the camera is out of bounds, or a coordinate is not
 /// finite.
 pub fn render(scene: &Scene, camera: &Camera, frame: &Frame) -> Result<Image> {
+    check(scene, camera)?;
     frame.check()?;
-    camera.check()?;
-    if !scene.is_finite() {
-        return Err(CoreError::Setting("the coordinates of a picture must be finite".into()));
-    }
     let floor = scene.floor.then(|| bed::below(scene, camera)).flatten();
     let scenes: Vec<&Scene> = std::iter::once(scene).chain(&floor).collect();
     let projector = Projector::fit(camera, &scenes, frame);
     Ok(raster::paint(&scenes, &projector, frame))
 }
 
-/// Renders `scene` in every frame, as the bytes of small PNG files ([`Image::thumbnail_png`]).
+/// Renders the strokes of `scene` in small pictures of these widths and heights, `margin` pixels
+/// from the edge, on a transparent ground, as the bytes of PNG files ([`Image::thumbnail_png`]).
 ///
 /// # Errors
 /// As [`render`], and [`CoreError::Io`] where the encoder fails.
-pub fn thumbnails(scene: &Scene, camera: &Camera, frames: &[Frame]) -> Result<Vec<Vec<u8>>> {
-    frames.par_iter().map(|frame| render(scene, camera, frame)?.thumbnail_png()).collect()
+pub fn thumbnails(
+    scene: &Scene,
+    camera: &Camera,
+    sizes: &[(usize, usize)],
+    margin: f64,
+) -> Result<Vec<Vec<u8>>> {
+    check(scene, camera)?;
+    let frame = |&(width, height): &(usize, usize)| Frame {
+        width,
+        height,
+        supersample: 1,
+        margins: [margin; 4],
+        ground: None,
+    };
+    let frames: Vec<Frame> = sizes.iter().map(frame).collect();
+    frames.iter().try_for_each(Frame::check)?;
+    thumbnail::paint_all(scene, camera, &frames).par_iter().map(Image::thumbnail_png).collect()
+}
+
+fn check(scene: &Scene, camera: &Camera) -> Result<()> {
+    camera.check()?;
+    if !scene.is_finite() {
+        return Err(CoreError::Setting("the coordinates of a picture must be finite".into()));
+    }
+    Ok(())
 }

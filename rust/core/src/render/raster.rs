@@ -1,7 +1,5 @@
 //! Finds what each sample sees, tile by tile, and gathers samples into pixels.
 
-use std::ops::Range;
-
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -10,7 +8,7 @@ use super::image::{Frame, Image};
 use super::scene::Scene;
 use super::shade::Shader;
 use super::stroke::Capsule;
-use super::tiles::{SIDE, Tiles, touched};
+use super::tiles::{SIDE, Tiles, touched, within};
 use super::triangle::Triangle;
 
 /// What light needs to know of a sample.
@@ -68,7 +66,7 @@ impl<'a> Screen<'a> {
         let capsules: Vec<Capsule> = scenes
             .par_iter()
             .flat_map(|scene| &scene.strokes)
-            .filter_map(|stroke| Capsule::new(stroke, projector, supersample))
+            .filter_map(|stroke| Capsule::new(stroke, projector, supersample, 0.0))
             .collect();
         let triangles: Vec<Triangle> = scenes
             .par_iter()
@@ -77,13 +75,13 @@ impl<'a> Screen<'a> {
             .collect();
         let (columns, rows) = (frame.width.div_ceil(SIDE), frame.height.div_ceil(SIDE));
         let side = SIDE * frame.supersample;
-        let capsule_tiles = Tiles::sort(&capsules, columns, rows, |capsule, put| {
+        let capsule_tiles = Tiles::sort((0..).zip(&capsules), columns, rows, |capsule, put| {
             for y in touched(capsule.rows(), side, rows) {
                 let (top, bottom) = ((y * side) as f32, ((y + 1) * side) as f32);
                 touched(capsule.columns(top, bottom), side, columns).for_each(|x| put(x, y));
             }
         });
-        let triangle_tiles = Tiles::sort(&triangles, columns, rows, |triangle, put| {
+        let triangle_tiles = Tiles::sort((0..).zip(&triangles), columns, rows, |triangle, put| {
             for y in touched(triangle.rows(), side, rows) {
                 touched(triangle.columns(), side, columns).for_each(|x| put(x, y));
             }
@@ -191,14 +189,6 @@ impl Tile {
         (y..y + supersample).flat_map(move |y| (x..x + supersample).map(move |x| y * side + x))
     }
 
-    /// The sample rows or columns of this tile whose middles lie in an interval of the screen.
-    fn within(&self, [low, high]: [f32; 2], origin: f32) -> Range<usize> {
-        // Float casts round towards zero and saturate; the bounds are not negative.
-        let first = ((low - origin + 0.5).max(0.0) as usize).min(self.side);
-        let past = ((high - origin + 0.5).max(0.0) as usize).min(self.side);
-        first..past.max(first)
-    }
-
     /// Calls `draw` with the first sample's middle, the nearness and the sight of each row's span.
     #[inline]
     fn fill(
@@ -207,9 +197,9 @@ impl Tile {
         span: impl Fn(f32) -> [f32; 2],
         draw: impl Fn(Vec2, &mut [f32], &mut [Sight]),
     ) {
-        for row in self.within(rows, self.origin.y) {
+        for row in within(rows, self.origin.y, self.side) {
             let y = self.origin.y + row as f32 + 0.5;
-            let columns = self.within(span(y), self.origin.x);
+            let columns = within(span(y), self.origin.x, self.side);
             let first = Vec2::new(self.origin.x + columns.start as f32 + 0.5, y);
             let samples = row * self.side + columns.start..row * self.side + columns.end;
             draw(first, &mut self.keys[samples.clone()], &mut self.sights[samples]);

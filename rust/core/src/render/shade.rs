@@ -1,6 +1,6 @@
 //! Light, silhouettes and distance.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3, Vec4};
 
 use super::raster::Sample;
 use super::scene::Rgb;
@@ -12,13 +12,34 @@ const SHINE: Vec3 = Vec3::new(-0.199, 0.299, 0.933);
 /// Light from all sides, and from the lamp.
 const AMBIENT: f32 = 0.50;
 const DIFFUSE: f32 = 0.58;
+/// What the lamp adds to every channel where a tube shines.
+const SHINE_BY: f32 = 60.0;
 /// How bright a silhouette stays, and from which share of the radius it darkens.
 const RIM: f32 = 0.45;
 const RIM_FROM: f32 = 0.6;
 /// The share of their colour that the farthest things lose.
 const FOG: f32 = 0.66;
 /// Far things fade to this where there is no ground to fade to.
-const HAZE: Vec3 = Vec3::splat(140.0);
+const HAZE: f32 = 140.0;
+
+/// What light does to a tube, by its direction on the screen.
+pub(super) struct Gloss {
+    colour: [f32; 3],
+    /// Lamp light on a side of the tube, and on its top.
+    lamp: Vec2,
+    /// The same of what shines.
+    shine: Vec2,
+}
+
+impl Gloss {
+    /// A tube along `unit` on the screen, y downwards, that faces the eye in the direction
+    /// `facing`, in the camera's axes.
+    pub(super) fn new(unit: Vec2, facing: Vec3, colour: Rgb) -> Self {
+        let side = Vec3::new(-unit.y, -unit.x, 0.0);
+        let of = |light: Vec3| Vec2::new(side.dot(light), facing.dot(light));
+        Self { colour: colour.map(f32::from), lamp: of(LIGHT), shine: of(SHINE) }
+    }
+}
 
 /// Colours the samples of one picture.
 pub(super) struct Shader {
@@ -46,11 +67,25 @@ impl Shader {
         }
         let lamp = sample.normal.dot(LIGHT).max(0.0);
         let rim = RIM + (1.0 - RIM) * (sample.rim / RIM_FROM).min(1.0);
-        let shine = 60.0 * sample.normal.dot(SHINE).max(0.0).powi(24);
+        let shine = SHINE_BY * sample.normal.dot(SHINE).max(0.0).powi(24);
         let bright = base * ((AMBIENT + DIFFUSE * lamp) * rim) + Vec3::splat(shine);
         let distance = ((self.nearest - sample.key) / self.depth).clamp(0.0, 1.0);
-        let haze = self.ground.unwrap_or(HAZE);
+        let haze = self.ground.unwrap_or(Vec3::splat(HAZE));
         bright.min(Vec3::splat(255.0)).lerp(haze, FOG * distance)
+    }
+
+    /// The colours of four places on a tube, with no ground: how far across it each is and how
+    /// high, both as shares of the radius, and how near.
+    #[inline]
+    pub(super) fn tube(&self, gloss: &Gloss, across: Vec4, height: Vec4, key: Vec4) -> [Vec4; 3] {
+        let under = |light: Vec2| (across * light.x + height * light.y).max(Vec4::ZERO);
+        let rim = RIM + (1.0 - RIM) * (height * (1.0 / RIM_FROM)).min(Vec4::ONE);
+        let square = |v: Vec4| v * v;
+        let to_8 = square(square(square(under(gloss.shine))));
+        let fog = FOG * ((self.nearest - key) * (1.0 / self.depth)).max(Vec4::ZERO).min(Vec4::ONE);
+        let bright = (AMBIENT + DIFFUSE * under(gloss.lamp)) * rim * (1.0 - fog);
+        let added = SHINE_BY * square(to_8) * to_8 * (1.0 - fog) + HAZE * fog;
+        gloss.colour.map(|base| (base * bright + added).min(Vec4::splat(255.0)))
     }
 }
 

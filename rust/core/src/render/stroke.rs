@@ -7,26 +7,26 @@ use super::raster::{BEHIND, COLUMNS, GROUND, Sample, Sight};
 use super::scene::{Rgb, Stroke, Width};
 
 /// Width of the gap that a strand leaves in strands behind it, as a share of its radius.
-const HALO: f32 = 0.55;
+pub(super) const HALO: f32 = 0.55;
 /// How far behind a strand its halo lies, in radii: strands that meet it stay whole.
-const HALO_DEPTH: f32 = 5.0;
+pub(super) const HALO_DEPTH: f32 = 5.0;
 /// A strand is never drawn thinner than this, pixels.
 const LEAST_WIDTH_PX: f64 = 1.1;
 
 /// A projected stroke; lengths in samples, y downwards.
 #[derive(Debug, Clone)]
 pub(super) struct Capsule {
-    from: Vec2,
-    along: Vec2,
+    pub(super) from: Vec2,
+    pub(super) along: Vec2,
     /// 1 / |along|², or 0 where the stroke is seen end on.
     inverse_length2: f32,
-    key: f32,
-    key_step: f32,
-    radius: f32,
-    radius_step: f32,
+    pub(super) key: f32,
+    pub(super) key_step: f32,
+    pub(super) radius: f32,
+    pub(super) radius_step: f32,
     /// Nearness that one sample of radius adds.
-    bulge: f32,
-    bulge_step: f32,
+    pub(super) bulge: f32,
+    pub(super) bulge_step: f32,
     halo: f32,
     /// Half of the greatest width with the halo, samples.
     reach: f32,
@@ -35,9 +35,9 @@ pub(super) struct Capsule {
     /// Half of the columns within reach of the axis's line in a row; infinite where it is level.
     breadth: f32,
     /// The columns that the stroke touches.
-    box_x: [f32; 2],
+    pub(super) box_x: [f32; 2],
     /// The side of the tube that faces the eye, in the camera's axes.
-    facing: Vec3,
+    pub(super) facing: Vec3,
     pub(super) colour: Rgb,
     pub(super) lit: bool,
 }
@@ -47,8 +47,14 @@ pub(super) struct Capsule {
 const ON_TOP: f32 = 1e7;
 
 impl Capsule {
-    /// The stroke as the projector shows it; `None` behind the camera.
-    pub(super) fn new(stroke: &Stroke, projector: &Projector, supersample: f64) -> Option<Self> {
+    /// The stroke as the projector shows it, with an edge of this many samples around it; `None`
+    /// behind the camera.
+    pub(super) fn new(
+        stroke: &Stroke,
+        projector: &Projector,
+        supersample: f64,
+        edge: f32,
+    ) -> Option<Self> {
         let (from, to) = projector.clip(stroke.from, stroke.to)?;
         let (a, b) = (projector.project(from), projector.project(to));
         let least = LEAST_WIDTH_PX / 2.0 * supersample;
@@ -67,7 +73,7 @@ impl Capsule {
         let along = Vec2::new(b.x as f32, b.y as f32) - start;
         let length2 = along.length_squared();
         let halo = if matches!(stroke.width, Width::Tube(_)) { HALO } else { 0.0 };
-        let reach = radii[0].max(radii[1]) as f32 * (1.0 + halo);
+        let reach = radii[0].max(radii[1]) as f32 * (1.0 + halo) + edge;
         let level = along.y.abs() < 1e-3;
         let axis = projector.to_view(to - from).normalize_or_zero().as_vec3();
         Some(Self {
