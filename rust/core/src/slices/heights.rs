@@ -6,6 +6,7 @@
 //! chain of slabs within the bounds.
 
 use glam::DVec2;
+use rayon::prelude::*;
 
 use super::features::{Feature, FeatureKind, features};
 use super::profile::Profile;
@@ -62,6 +63,8 @@ const LEAN: f64 = 0.4;
 const LEAN_FINE: f64 = 0.2;
 /// Fine, in seconds, for a slab lower than the least height (only where nothing else fits).
 const LOW_FINE: f64 = 1e4;
+/// Costs of the slabs below this many candidates are worth a thread of their own.
+const FEW: usize = 32;
 /// Slabs lower than this part of the least height are never made.
 const LOWEST: f64 = 0.2;
 
@@ -86,9 +89,9 @@ pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Lev
 }
 
 fn extent(mesh: &Mesh) -> Option<(f64, f64)> {
-    let used = || mesh.faces.iter().flatten().map(|&v| mesh.vertices[v as usize].z);
-    let bottom = used().fold(f64::INFINITY, f64::min);
-    let top = used().fold(f64::NEG_INFINITY, f64::max);
+    let used = mesh.faces.iter().flatten().map(|&v| mesh.vertices[v as usize].z);
+    let (bottom, top) =
+        used.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
     (bottom < top).then_some((bottom, top))
 }
 
@@ -227,9 +230,17 @@ struct Costs<'a> {
 }
 
 impl Costs<'_> {
-    /// Cost of the slab between two candidates, in seconds of printing; None where its cheap parts
-    /// alone come to more than `limit`.
-    fn slab(&self, i: usize, j: usize, limit: f64) -> Option<f64> {
+    /// The slabs below a candidate that are neither too low nor too high, by the number of the
+    /// candidate at their foot, with their costs.
+    fn slabs_below(&self, j: usize) -> Vec<(usize, f64)> {
+        let (heights, p) = (self.heights, self.params);
+        let begin = heights.partition_point(|&z| heights[j] - z > p.slab_max + 1e-9);
+        let end = heights.partition_point(|&z| heights[j] - z >= LOWEST * p.slab_min);
+        (begin..end).map(|i| (i, self.slab(i, j))).collect()
+    }
+
+    /// Cost of the slab between two candidates, in seconds of printing.
+    fn slab(&self, i: usize, j: usize) -> f64 {
         let (p, (from, to)) = (self.params, (self.heights[i], self.heights[j]));
         let height = to - from;
         let spacing = self.head.clearance(height);
@@ -247,15 +258,9 @@ impl Costs<'_> {
             + WOBBLE_FINE * 0.5 * (wobble(lower, spacing) + wobble(upper, spacing))
             + low
             + even;
-        let cost = |stray: f64, leaning: f64| {
-            let deviation = (stray + sag) / p.deviation_target;
-            time * (1.0 + deviation * deviation) + fines + LEAN_FINE * leaning
-        };
-        if cost(0.0, 0.0) > limit {
-            return None;
-        }
         let (stray, leaning) = self.profile.deviation(from, to, LEAN * p.free_end);
-        Some(cost(stray, leaning))
+        let deviation = (stray + sag) / p.deviation_target;
+        time * (1.0 + deviation * deviation) + fines + LEAN_FINE * leaning
     }
 
     /// Fine for the wanted heights strictly inside.
@@ -287,20 +292,16 @@ fn cheapest_chain(
     );
     let costs = Costs { head, params, profile, outlines, heights, wanted };
     let count = heights.len();
+    let below = |j: usize| costs.slabs_below(j);
+    let slabs: Vec<Vec<(usize, f64)>> =
+        (0..count).into_par_iter().with_min_len(FEW).map(below).collect();
     let mut best = vec![(f64::INFINITY, 0_usize); count];
     best[0].0 = 0.0;
-    for j in 1..count {
-        let lowest = heights.partition_point(|&z| heights[j] - z > params.slab_max + 1e-9);
-        // The highest slabs come first: they are usually the cheapest, and bar the rest.
-        for i in lowest..j {
-            if heights[j] - heights[i] < LOWEST * params.slab_min || !best[i].0.is_finite() {
-                continue;
-            }
-            let limit = best[j].0 - best[i].0;
-            if let Some(cost) = costs.slab(i, j, limit)
-                && cost <= limit
-            {
-                best[j] = (best[i].0 + cost, i);
+    for (j, slabs) in slabs.into_iter().enumerate() {
+        for (i, cost) in slabs {
+            let total = best[i].0 + cost;
+            if total.is_finite() && total <= best[j].0 {
+                best[j] = (total, i);
             }
         }
     }
