@@ -226,11 +226,7 @@ fn stretches(curve: &Curve, posts: &[Post], course: &Course) -> Vec<Vec<DVec3>> 
     let tolerance = course.tolerance.min(length * FINEST);
     let mut stretches: Vec<Vec<DVec3>> = stops
         .windows(2)
-        .map(|pair| {
-            let (from, arc) = (course.start + pair[0], pair[1] - pair[0]);
-            let points = followed(curve, from, arc, tolerance);
-            points.into_iter().map(|p| p.extend(course.z)).collect()
-        })
+        .map(|pair| followed(curve, course.start + pair[0], pair[1] - pair[0], tolerance, course.z))
         .collect();
     if !curve.is_closed() {
         stretches.reverse();

@@ -9,6 +9,9 @@ const CORNER: f64 = 0.6;
 /// Reach over which a corner's turn is measured, mm.
 const CORNER_REACH: f64 = 1.0;
 
+/// Room for the points of most arcs between two posts.
+const USUAL: usize = 16;
+
 /// Integrals of 1, x, y, x², xy and y² along a curve up to some arc length.
 #[derive(Debug, Clone, Copy, Default)]
 struct Moments {
@@ -249,7 +252,8 @@ impl Curve {
         let start = self.wrap(from);
         let count = self.points.len() - 1;
         let first = self.segment(start) + 1;
-        let mut out = vec![self.position(from)];
+        let mut out = Vec::with_capacity(USUAL);
+        out.push(self.position(from));
         for step in 0..count {
             let index = first + step;
             let (i, lap) = if index > count { (index - count, 1.0) } else { (index, 0.0) };
@@ -313,7 +317,8 @@ pub fn simplify(points: &[DVec2], tolerance: f64) -> Vec<usize> {
     if points.len() < 3 {
         return (0..points.len()).collect();
     }
-    let mut kept = vec![0];
+    let mut kept = Vec::with_capacity(points.len());
+    kept.push(0);
     // The ends of the stretches to come, the nearest one last.
     let mut ends = vec![points.len() - 1];
     while let (Some(&a), Some(&b)) = (kept.last(), ends.last()) {

@@ -5,7 +5,9 @@
 //! posts as well. Each candidate is a peak on the contour with its foothold on the rims below;
 //! the cheapest chain of candidates around the contour is found by dynamic programming.
 
-use glam::{DVec2, DVec3};
+use std::ops::Range;
+
+use glam::DVec3;
 
 use super::curve::{Curve, Station, simplify};
 use super::rim::{Footing, Rim};
@@ -159,6 +161,7 @@ pub fn place(
         curve,
         all,
         s: all.iter().map(|c| c.post.s).collect(),
+        ideals: all.iter().map(|c| p.ideal.max(c.spacing)).collect(),
         end: curve.station(start, curve.length()),
         head,
         p,
@@ -173,8 +176,10 @@ pub fn place(
 struct Chain<'a> {
     curve: &'a Curve,
     all: &'a [Candidate],
-    /// Arc length of each peak, mm, side by side, since that is read most often.
+    /// Arc length of each peak, mm, and spacing to aim at behind it: side by side, since they are
+    /// read most often.
     s: Vec<f64>,
+    ideals: Vec<f64>,
     end: Station,
     head: &'a Head,
     p: &'a PostParams,
@@ -183,34 +188,7 @@ struct Chain<'a> {
 impl Chain<'_> {
     fn cheapest(&self, widest: f64) -> Option<Vec<Post>> {
         let all = self.all;
-        let mut costs = vec![f64::INFINITY; all.len()];
-        let mut before = vec![0_usize; all.len()];
-        costs[0] = 0.0;
-        for j in 1..all.len() {
-            let align = ALIGN * (all[j].offset / self.p.ideal).powi(2);
-            let barred = self.barred(j);
-            for i in (0..j).rev() {
-                let arc = self.s[j] - self.s[i];
-                if arc < barred {
-                    continue;
-                }
-                if arc > widest.max(1.5 * all[i].spacing) {
-                    break;
-                }
-                // The cheap parts of the cost and of the test come first: most pairs fail there.
-                let bound = costs[i] + align + self.uneven(i, arc);
-                if bound >= costs[j]
-                    || arc < all[i].spacing.max(all[j].spacing)
-                    || !reachable(self.head, &all[i].post, &all[j].post)
-                {
-                    continue;
-                }
-                let cost = bound + self.stray(i, &all[j].station);
-                if cost < costs[j] {
-                    (costs[j], before[j]) = (cost, i);
-                }
-            }
-        }
+        let (costs, before) = self.chains(widest);
         let end = (1..all.len())
             .filter(|&j| costs[j].is_finite())
             .filter_map(|j| self.closing(j, widest).map(|c| (costs[j] + c, j)))
@@ -224,6 +202,44 @@ impl Chain<'_> {
         }
         posts.reverse();
         Some(posts)
+    }
+
+    /// For each candidate, what the cheapest chain to it costs, and the last one before it there.
+    fn chains(&self, widest: f64) -> (Vec<f64>, Vec<usize>) {
+        let all = self.all;
+        let mut costs = vec![f64::INFINITY; all.len()];
+        let mut before = vec![0_usize; all.len()];
+        let mut bounds = vec![0.0; all.len()];
+        let reaches: Vec<f64> = all.iter().map(|c| widest.max(1.5 * c.spacing)).collect();
+        let longest = reaches.iter().copied().fold(widest, f64::max);
+        let mut first = 0;
+        costs[0] = 0.0;
+        for j in 1..all.len() {
+            let s = self.s[j];
+            let barred = self.barred(j);
+            let end = (first..j).rev().find(|&i| s - self.s[i] >= barred).map_or(first, |i| i + 1);
+            first += self.s[first..end].iter().take_while(|&&from| s - from > longest).count();
+            let align = ALIGN * (all[j].offset / self.p.ideal).powi(2);
+            self.bound(first..end, s, align, &costs, &mut bounds);
+            for i in (first..end).rev() {
+                let arc = s - self.s[i];
+                if arc > reaches[i] {
+                    break;
+                }
+                // The cheap parts of the cost and of the test come first: most pairs fail there.
+                if bounds[i] >= costs[j]
+                    || arc < all[i].spacing.max(all[j].spacing)
+                    || !reachable(self.head, &all[i].post, &all[j].post)
+                {
+                    continue;
+                }
+                let cost = bounds[i] + self.over(arc) + self.stray(i, &all[j].station);
+                if cost < costs[j] {
+                    (costs[j], before[j]) = (cost, i);
+                }
+            }
+        }
+        (costs, before)
     }
 
     /// Arc length before a candidate within which no other reaches it, mm: a chord is no longer
@@ -242,15 +258,26 @@ impl Chain<'_> {
             return Some((rest / self.p.ideal).powi(2));
         }
         let free = reachable(self.head, &self.all[0].post, &last.post) && rest >= last.spacing;
-        (free && rest <= widest).then(|| self.uneven(j, rest) + self.stray(j, &self.end))
+        let cost = || uneven(rest, self.ideals[j]) + self.over(rest) + self.stray(j, &self.end);
+        (free && rest <= widest).then(cost)
     }
 
-    /// Cost of a chord over `arc` mm from candidate `i` for its length.
-    fn uneven(&self, i: usize, arc: f64) -> f64 {
-        let p = self.p;
-        let uneven = arc / p.ideal.max(self.all[i].spacing) - 1.0;
-        let over = if arc > p.span_limit { (arc - p.span_limit) / p.ideal } else { 0.0 };
-        EVEN * uneven * uneven + over * over
+    /// What a chain costs at least whose last chord leads from each of some candidates to arc length
+    /// `s`. One plain loop, of which the compiler takes several turns at once.
+    fn bound(&self, of: Range<usize>, s: f64, align: f64, costs: &[f64], bounds: &mut [f64]) {
+        let places = self.s[of.clone()].iter().zip(&self.ideals[of.clone()]);
+        let pairs = costs[of.clone()].iter().zip(places);
+        for (bound, (cost, (from, ideal))) in bounds[of].iter_mut().zip(pairs) {
+            *bound = cost + align + uneven(s - from, *ideal);
+        }
+    }
+
+    /// Cost of a chord over `arc` mm for what it is longer than may be.
+    fn over(&self, arc: f64) -> f64 {
+        if arc <= self.p.span_limit {
+            return 0.0;
+        }
+        ((arc - self.p.span_limit) / self.p.ideal).powi(2)
     }
 
     /// Cost of the chord from candidate `i` for straying from the contour.
@@ -258,6 +285,12 @@ impl Chain<'_> {
         let p = self.p;
         self.all[i].station.chord_error(to) / (p.ideal * p.chord_error * p.chord_error)
     }
+}
+
+/// Cost of a chord over `arc` mm for being longer or shorter than `ideal` mm.
+fn uneven(arc: f64, ideal: f64) -> f64 {
+    let uneven = arc / ideal - 1.0;
+    EVEN * uneven * uneven
 }
 
 /// Spacing that divides a contour of `length` mm evenly, at least `least` mm.
@@ -310,10 +343,10 @@ fn signed_gap(curve: &Curve, from: f64, to: f64) -> f64 {
     if ahead > 0.5 * length { ahead - length } else { ahead }
 }
 
-/// The way of a strand along a contour from arc length `from`, `arc` mm on: it stays within
-/// `tolerance` mm of the contour's vertices.
+/// The way of a strand at height `z` along a contour from arc length `from`, `arc` mm on: it stays
+/// within `tolerance` mm of the contour's vertices.
 #[must_use]
-pub fn followed(curve: &Curve, from: f64, arc: f64, tolerance: f64) -> Vec<DVec2> {
+pub fn followed(curve: &Curve, from: f64, arc: f64, tolerance: f64, z: f64) -> Vec<DVec3> {
     let points = curve.arc(from, arc);
-    simplify(&points, tolerance).into_iter().map(|i| points[i]).collect()
+    simplify(&points, tolerance).into_iter().map(|i| points[i].extend(z)).collect()
 }

@@ -53,7 +53,9 @@ impl Run {
         for i in 0..RUN {
             let (x, y) = (p.x - from_x[i], p.y - from_y[i]);
             let t = (x * along_x[i] + y * along_y[i]) * self.inverse_square[i];
-            let t = t.clamp(0.0, 1.0);
+            // Written so that it takes no branch, unlike `clamp`.
+            let t = if t > 0.0 { t } else { 0.0 };
+            let t = if t < 1.0 { t } else { 1.0 };
             let (x, y) = (x - along_x[i] * t, y - along_y[i] * t);
             (shares[i], squares[i]) = (t, x * x + y * y);
         }
@@ -98,6 +100,11 @@ impl Boxes {
     }
 }
 
+fn least([a, b, c, d]: &Lane) -> f64 {
+    let (one, other) = (if a < b { a } else { b }, if c < d { c } else { d });
+    if one < other { *one } else { *other }
+}
+
 /// The place on a segment that is nearest to a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
@@ -125,10 +132,14 @@ impl Segments {
     pub fn nearest(&self, p: DVec2, guess: usize) -> Option<Near> {
         let last = self.runs.len().checked_sub(1)?;
         let (_, squares) = self.runs[(guess / RUN).min(last)].places(p);
-        let mut bound = squares.into_iter().fold(f64::INFINITY, f64::min);
+        let mut bound = least(&squares);
         let mut nearest: Option<Near> = None;
         for (group, boxes) in self.boxes.iter().enumerate() {
-            for (i, square) in boxes.squares(p).into_iter().enumerate() {
+            let away = boxes.squares(p);
+            if least(&away) > bound * (1.0 + ROUNDING) {
+                continue;
+            }
+            for (i, square) in away.into_iter().enumerate() {
                 if square > bound * (1.0 + ROUNDING) {
                     continue;
                 }
