@@ -1,6 +1,7 @@
 """Settings recalled from the cache are those that validation gave."""
 
-import json
+import random
+import re
 import subprocess
 import sys
 
@@ -49,13 +50,32 @@ def test_another_text_is_validated_anew(tmp_path):
     assert _recall.settings("kossel-mini", "abs", [own], ["wire.pause_s=2"]).pause_s == 2
 
 
-@pytest.mark.parametrize("harm", [b"", b"{", b"[]", b'{"key": 1}', b"\xff"])
+@pytest.mark.parametrize("harm", [b"", b"{", b"[]", b'{"key": 1}', b"\xff", b"\n", b"00000000\n"])
 def test_a_damaged_cache_is_not_believed(cache, harm):
     _recall.settings("kossel-mini", "abs", (), ())
     (kept,) = cache.iterdir()
+    whole = kept.read_bytes()
     kept.write_bytes(harm)
     assert isinstance(_recall.settings("kossel-mini", "abs", (), ()), Settings)
-    assert json.loads(kept.read_bytes())
+    assert kept.read_bytes() == whole
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_values_that_were_changed_in_the_cache_are_not_believed(cache, seed):
+    expected = _recall.settings("kossel-mini", "abs", (), ())
+    (kept,) = cache.iterdir()
+    whole = kept.read_bytes()
+    draw = random.Random(seed)
+    values = whole.index(b'"values"')
+    places = [match.start() for match in re.finditer(rb"[0-9]", whole) if match.start() > values]
+    place = draw.choice(places)
+    digit = draw.choice([d for d in b"123456789" if d != whole[place]])
+    kept.write_bytes(whole[:place] + bytes([digit]) + whole[place + 1 :])
+    again = _recall.settings("kossel-mini", "abs", (), ())
+    assert isinstance(again, Settings)
+    assert again == expected
+    assert kept.read_bytes() == whole
+    assert isinstance(_recall.settings("kossel-mini", "abs", (), ()), _recall.Recalled)
 
 
 def test_a_cache_that_cannot_be_written_to_is_done_without(tmp_path, monkeypatch):

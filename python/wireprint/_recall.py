@@ -154,8 +154,12 @@ def _folder() -> Path:
 
 
 def _read(place: Path, key: str) -> dict[str, Any] | None:
+    """Return the values of a place; None where it holds others, or is not as it was written."""
     try:
-        kept = json.loads(place.read_bytes())
+        digest, _, text = place.read_bytes().partition(b"\n")
+        if digest != _digest(text):
+            return None
+        kept = json.loads(text)
         return cast("dict[str, Any]", kept["values"]) if kept["key"] == key else None
     except (OSError, ValueError, LookupError, TypeError):
         return None
@@ -163,9 +167,14 @@ def _read(place: Path, key: str) -> dict[str, Any] | None:
 
 def _keep(place: Path, key: str, found: Settings) -> None:
     """Write an outcome to its place; a cache that cannot be written to is done without."""
-    text = json.dumps({"key": key, "values": plain(found)})
+    text = json.dumps({"key": key, "values": plain(found)}).encode()
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
-        written_whole(place, text.encode())
+        written_whole(place, _digest(text) + b"\n" + text)
     except (OSError, WireprintError):
         return
+
+
+def _digest(text: bytes) -> bytes:
+    """Return what tells whether a text was damaged, or changed by hand; a CRC imports nothing."""
+    return f"{zlib.crc32(text):08x}".encode()
