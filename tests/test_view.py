@@ -181,7 +181,7 @@ def test_the_legend_names_what_is_shown_in_the_order_of_the_pipeline():
     strands = Strands.from_gcode(gcode("SKIN", "POST", "CONTOUR"))
     entries = view.legend(strands, view.palette(strands))
     assert [entry.name for entry in entries] == ["contour", "post", "skin"]
-    assert entries[0].length_text == "0.04 m"
+    assert entries[0].amount == "0.04 m"
     assert view.size_text(strands) == "40.0 x 0.0 x 20.0 mm"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, Final, TypedDict
 
 if TYPE_CHECKING:
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from wireprint.certificate import Fidelity
     from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.runs import Section
+    from wireprint.regions import Region
 
 #: Counts of a mesh's report that are repairs, and how they read.
 _REPAIRS: Final = {
@@ -39,6 +41,17 @@ class Unprinted(TypedDict):
     area_mm2: float
     place_mm: tuple[float, float, float]
     help: str
+
+
+class Marked(TypedDict):
+    """What is marked on a model."""
+
+    #: How many marks there are of each kind of shape, and how many of them erase.
+    kinds: dict[str, int]
+    erase: int
+    #: Surface that is marked in the end, and its share (0–1).
+    area_mm2: float
+    share: float
 
 
 class Run(TypedDict):
@@ -199,3 +212,18 @@ def uncovered(fidelity: Fidelity, area_mm2: float) -> list[Unprinted]:
 
 def _sentences(counts: Mapping[str, int], wordings: Mapping[str, str]) -> list[str]:
     return [f"{text}: {counts[name]}" for name, text in wordings.items() if counts[name]]
+
+
+def marks(mesh: Mesh, region: Region) -> Marked | None:
+    """Tell what is marked on a model; None where nothing is."""
+    if not region:
+        return None
+    from wireprint.regions.surface import marked_surface
+
+    surface = marked_surface(mesh, region)
+    return Marked(
+        kinds=dict(Counter(getattr(mark.shape, "kind", "predicate") for mark in region.marks)),
+        erase=sum(mark.erase for mark in region.marks),
+        area_mm2=surface.marked_mm2,
+        share=surface.marked_mm2 / surface.area_mm2,
+    )

@@ -18,11 +18,14 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Sequence
 
     from wireprint._core import Toolpath
+    from wireprint.model import Model
     from wireprint.settings import Settings
 
 Rgb: TypeAlias = tuple[int, int, int]
 #: What can be shown: a file, or what is in memory already.
-Source: TypeAlias = "str | os.PathLike[str] | Strands | Mesh"
+Source: TypeAlias = "str | os.PathLike[str] | Shown"
+#: What is in memory: a model is a mesh with marks.
+Shown: TypeAlias = "Strands | Mesh | Model"
 
 
 @dataclass(frozen=True)
@@ -105,20 +108,25 @@ def camera_angles(camera: str) -> tuple[float, float, float]:
     return azimuth, elevation, CAMERAS["iso"][2]
 
 
-def load(source: Source, **placement: Any) -> Strands | Mesh:
-    """Read what a file shows: the strands of G-code, or the triangles of a model.
+def is_gcode(path: str | os.PathLike[str]) -> bool:
+    """Whether a file's name is that of G-code."""
+    return Path(path).suffix.lower().lstrip(".") in GCODE_SUFFIXES
+
+
+def load(source: Source, **placement: Any) -> Shown:
+    """Read what a file shows: the strands of G-code, or a model with the marks of its file.
 
     Parameters
     ----------
     source
-        A G-code or model file; anything else is returned as it is.
+        A G-code or model file, or what is in memory, which is returned as it is.
     placement
         How a model is placed: what `wireprint.mesh.load_mesh` takes.
 
     Returns
     -------
-    Strands or Mesh
-        What can be drawn.
+    Strands, Mesh or Model
+        What can be drawn; a mesh where nothing is marked.
 
     Raises
     ------
@@ -127,11 +135,13 @@ def load(source: Source, **placement: Any) -> Strands | Mesh:
     """
     if isinstance(source, Strands | Mesh):
         return source
-    if Path(source).suffix.lower().lstrip(".") in GCODE_SUFFIXES:
+    if not isinstance(source, str | os.PathLike):
+        return source if source.region else source.mesh
+    if is_gcode(source):
         return Strands.read_gcode(source)
-    from wireprint.mesh import load_mesh
+    from wireprint.model import load_model
 
-    return load_mesh(source, **placement)
+    return load(load_model(source, **placement))
 
 
 def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
@@ -158,10 +168,14 @@ class Entry:
     name: str
     colour: Rgb
     length_mm: float | None = None
+    #: Share of the surface (0–1).
+    share: float | None = None
 
     @property
-    def length_text(self) -> str:
-        """Length in metres, or nothing."""
+    def amount(self) -> str:
+        """Length in metres or share of the surface, or nothing."""
+        if self.share is not None:
+            return f"{self.share:.1%}"
         return "" if self.length_mm is None else f"{self.length_mm / 1000:.2f} m"
 
 
@@ -219,10 +233,10 @@ def legend(strands: Strands, colours: Sequence[Rgb | None]) -> list[Entry]:
     return known + [entry for entry in entries if entry.label not in STYLES]
 
 
-def size_text(shown: Strands | Mesh) -> str:
+def size_text(shown: Shown) -> str:
     """Size of the object itself, such as ``84.2 x 65.0 x 83.4 mm``."""
-    if isinstance(shown, Mesh):
-        low, high = shown.bounds.tolist()
+    if not isinstance(shown, Strands):
+        low, high = _mesh(shown).bounds.tolist()
     else:
         objects = [label for label in shown.labels if style_of(label).is_object]
         low, high = shown.bounds(objects) or shown.bounds(shown.labels) or ((0.0,) * 3,) * 2
@@ -247,7 +261,7 @@ def render_png(
     Parameters
     ----------
     source
-        A G-code or model file, strands, or a mesh.
+        A G-code or model file, strands, a mesh, or a model with marks.
     path
         PNG file to write; none by default.
     size
@@ -312,6 +326,7 @@ def render_html(
     kinds: Collection[str] | None = None,
     travels: bool = False,
     breaches: Iterable[Sequence[float]] = (),
+    camera: str = "iso",
     title: str | None = None,
 ) -> str:
     """Make one page that turns in a browser and needs no network.
@@ -319,7 +334,7 @@ def render_html(
     Parameters
     ----------
     source
-        A G-code or model file, strands, or a mesh.
+        A G-code or model file, strands, a mesh, or a model with marks.
     path
         HTML file to write; none by default.
     kinds
@@ -328,6 +343,8 @@ def render_html(
         Whether moves without extrusion can be shown.
     breaches
         Points (x, y, z) in mm that are marked in red.
+    camera
+        From where it is seen first, see `render_png`; in perspective always.
     title
         Headline; the file's name by default.
 
@@ -341,17 +358,21 @@ def render_html(
     GcodeError, ModelError, OSError
         The file cannot be read, or not be written.
     SettingError
-        A kind is unknown.
+        A kind or the camera is unknown.
     """
     from wireprint.view_html import Page
 
     shown = load(source)
-    page = Page(_title(title, source), size_text(shown))
-    if isinstance(shown, Mesh):
-        page.add_mesh(shown, MODEL)
-    else:
+    page = Page(_title(title, source), size_text(shown), camera_angles(camera)[:2])
+    if isinstance(shown, Strands):
         colours = palette(shown, kinds)
         page.add_strands(shown, colours, legend(shown, colours), TRAVELS if travels else None)
+    elif isinstance(shown, Mesh):
+        page.add_mesh(shown, MODEL)
+    else:
+        from wireprint.view_marks import groups
+
+        page.add_groups(groups(shown))
     page.add_marks(_points(breaches))
     text = page.text()
     if path is not None:
@@ -369,23 +390,41 @@ def _points(breaches: Iterable[Sequence[float]]) -> list[tuple[float, float, flo
     return [(float(x), float(y), float(z)) for x, y, z in breaches]
 
 
+def _mesh(shown: Mesh | Model) -> Mesh:
+    return shown if isinstance(shown, Mesh) else shown.mesh
+
+
 def _fill(
     scene: Scene,
-    shown: Strands | Mesh,
+    shown: Shown,
     kinds: Collection[str] | None,
     travels: bool,
     edges: bool,
 ) -> list[Entry]:
     """Put what is shown into the scene, and return the legend."""
-    if isinstance(shown, Mesh):
-        scene.add_mesh(shown, MODEL, edges=EDGE if edges else None)
-        return []
+    if not isinstance(shown, Strands):
+        if edges:
+            scene.add_edges(_mesh(shown), EDGE)
+        return _fill_surface(scene, shown)
     colours = palette(shown, kinds)
     scene.add_strands(shown, colours, travel=TRAVEL if travels else None)
     entries = legend(shown, colours)
     if travels:
         entries.append(TRAVELS)
     return entries
+
+
+def _fill_surface(scene: Scene, shown: Mesh | Model) -> list[Entry]:
+    """Put a model's triangles into the scene, and return the legend."""
+    if isinstance(shown, Mesh):
+        scene.add_mesh(shown, MODEL)
+        return []
+    from wireprint.view_marks import groups
+
+    found = groups(shown)
+    for group in found:
+        scene.add_facets(group.corners.reshape(-1, 3), group.entry.colour)
+    return [group.entry for group in found]
 
 
 def thumbnails(

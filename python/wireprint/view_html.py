@@ -5,10 +5,13 @@ from __future__ import annotations
 import base64
 import html
 import json
+import math
 from importlib import resources
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
+
+from wireprint.view import Entry
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,7 +19,8 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Mesh, Strands
-    from wireprint.view import Entry, Rgb
+    from wireprint.view import Rgb
+    from wireprint.view_marks import Group
 
 #: Coordinates are sent as this many steps over the longest extent: 3 µm on 200 mm.
 STEPS: Final = 65535
@@ -37,13 +41,16 @@ class Page:
         Headline.
     size_text
         Size of the object.
+    angles
+        Azimuth and elevation that it is seen from first, degrees.
     """
 
-    def __init__(self, title: str, size_text: str) -> None:
+    def __init__(self, title: str, size_text: str, angles: tuple[float, float]) -> None:
         self.title = title
         self.data: dict[str, Any] = {
             "title": title,
             "size": size_text,
+            "camera": [round(math.radians(angle), 5) for angle in angles],
             "low": [0.0] * 3,
             "span": [1.0] * 3,
             "legend": [],
@@ -55,7 +62,7 @@ class Page:
             "vertices": "",
             "faces": "",
             "face_count": 0,
-            "model_colour": [1.0] * 3,
+            "groups": [],
             "grid": [],
             "marks": [],
         }
@@ -101,10 +108,29 @@ class Page:
     def add_mesh(self, mesh: Mesh, colour: Rgb) -> None:
         """Add a model's triangles."""
         self._fit(mesh.vertices)
-        self.data["vertices"] = _base64(self._padded(mesh.vertices))
-        self.data["faces"] = _base64(np.asarray(mesh.faces, "<u4"))
-        self.data["face_count"] = len(mesh.faces)
-        self.data["model_colour"] = _unit(colour)
+        self._add_faces(self._quantised(mesh.vertices), mesh.faces)
+        self.data["groups"] = [_line(Entry("", "", colour)) | {"count": len(mesh.faces)}]
+
+    def add_groups(self, groups: Sequence[Group]) -> None:
+        """Add groups of triangles, a line of the legend for each."""
+        corners = np.concatenate([group.corners.reshape(-1, 3) for group in groups])
+        self._fit(corners)
+        # Three times 16 bits as one number: rows are slow to compare.
+        x, y, z = self._quantised(corners).astype(np.uint64).T
+        packed, faces = np.unique(x << 32 | y << 16 | z, return_inverse=True)
+        vertices = np.stack([packed >> 32, packed >> 16, packed], axis=1).astype("<u2")
+        self._add_faces(vertices, faces.reshape(-1, 3))
+        self.data["groups"] = [
+            _line(group.entry) | {"count": len(group.corners)} for group in groups
+        ]
+
+    def _add_faces(
+        self, vertices: npt.NDArray[np.uint16], faces: npt.NDArray[np.integer[Any]]
+    ) -> None:
+        # WebGL wants attributes at multiples of four bytes.
+        self.data["vertices"] = _base64(np.pad(vertices, ((0, 0), (0, 1))))
+        self.data["faces"] = _base64(np.asarray(faces, "<u4"))
+        self.data["face_count"] = len(faces)
 
     def add_marks(self, points: Sequence[tuple[float, float, float]]) -> None:
         """Add points that are marked in red and that nothing hides."""
@@ -132,10 +158,6 @@ class Page:
         steps: npt.NDArray[np.uint16] = np.rint(np.clip(share, 0.0, 1.0) * STEPS).astype("<u2")
         return steps
 
-    def _padded(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.uint16]:
-        """Pad points to four values, since WebGL wants attributes at multiples of four bytes."""
-        return np.pad(self._quantised(points), ((0, 0), (0, 1)))
-
     def _add_travels(self, strands: Strands, shown: npt.NDArray[np.bool_]) -> None:
         """Add the travels, each with the number of shown strands that come before it."""
         before = np.concatenate([[0], np.cumsum(shown)])
@@ -156,15 +178,19 @@ def _grid(low: npt.NDArray[np.float64], high: npt.NDArray[np.float64]) -> list[f
     return grid
 
 
-def _legend(entry: Entry, kind: int | None) -> dict[str, Any]:
+def _line(entry: Entry) -> dict[str, Any]:
+    """Return a line of the legend."""
     return {
         "name": entry.name,
         "colour": _unit(entry.colour),
-        "length": entry.length_text,
-        "kind": kind,
-        "travel": kind is None,
-        "on": kind is not None,
+        "amount": entry.amount,
+        "on": True,
     }
+
+
+def _legend(entry: Entry, kind: int | None) -> dict[str, Any]:
+    """Return a line for strands of a kind, or for travels, which are not shown at first."""
+    return _line(entry) | {"kind": kind, "travel": kind is None, "on": kind is not None}
 
 
 def _unit(colour: Rgb) -> list[float]:

@@ -94,7 +94,7 @@ class Sheet:
     def _columns(self) -> tuple[float, float]:
         """Width of the legend's names and lengths."""
         names = max((self.font.getlength(entry.name) for entry in self.entries), default=0.0)
-        lengths = (self.font.getlength(entry.length_text) for entry in self.entries)
+        lengths = (self.font.getlength(entry.amount) for entry in self.entries)
         return names, max(lengths, default=0.0)
 
     def _legend_width(self) -> float:
@@ -112,7 +112,7 @@ class Sheet:
             bar = (self.gap, middle - thick, self.gap + 2.2 * self.em, middle + thick)
             draw.rounded_rectangle(bar, thick, entry.colour)
             draw.text((text_x, middle), entry.name, INK, self.font, anchor="lm")
-            draw.text((right, middle), entry.length_text, FAINT, self.font, anchor="rm")
+            draw.text((right, middle), entry.amount, FAINT, self.font, anchor="rm")
             y += self.line
 
     def _draw_bar(self, draw: ImageDraw.ImageDraw, px_per_mm: float) -> None:

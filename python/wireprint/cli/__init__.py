@@ -22,7 +22,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "project",
         "Write a model, its settings and its marks into one 3MF file.",
     ),
-    "info": ("wireprint.cli.info", "info", "Tell size, surface and faults of a model."),
+    "info": ("wireprint.cli.info", "info", "Tell size, surface, marks and faults of a model."),
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
     "check": ("wireprint.cli.check", "check", "Judge whether a G-code file can be printed."),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),

@@ -4,36 +4,41 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from wireprint.cli.options import settings_from, settings_options
+from wireprint.cli.marks import marks_from, marks_options
+from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.placement import orient_option, placement_options
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from wireprint.orientation import Orientation
+    from wireprint.report import Marked
 
 
 @click.command()
-@click.argument("model", type=click.Path())
+@click.argument("model", type=click.Path(path_type=Path))
+@marks_options
 @settings_options
 @placement_options
 @orient_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-def info(model: str, as_json: bool, orient: bool, **options: Any) -> None:
-    """Tell size, surface and faults of a model.
+def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
+    """Tell size, surface, marks and faults of a model.
 
     With --orient auto also: how it would print in several poses, the best of which is described.
     Settings count for that alone.
     """
     from wireprint import report
-    from wireprint.mesh import load_mesh
 
-    settings = settings_from(options)
-    mesh = load_mesh(model, **options)
+    chosen, marks = chosen_from(options), marks_from(options, [model])
+    loaded = marks.load(model, options)
+    settings, mesh = chosen.of(loaded), loaded.mesh
+    marked = report.marks(mesh, loaded.region)
     turned = None
     if orient:
         from wireprint.orientation import orient as best
@@ -41,7 +46,7 @@ def info(model: str, as_json: bool, orient: bool, **options: Any) -> None:
         turned = best(mesh, settings)
         mesh = turned.mesh
     found = {
-        "model": model,
+        "model": str(model),
         "size_mm": mesh.size_mm,
         "area_mm2": mesh.area,
         "volume_mm3": mesh.volume,
@@ -49,17 +54,20 @@ def info(model: str, as_json: bool, orient: bool, **options: Any) -> None:
         "repaired": report.repairs(mesh),
         "warnings": report.warnings(mesh),
         "counts": mesh.report,
+        "marks": marked,
         "orientation": None if turned is None else turned.to_dict(),
     }
     if as_json:
         click.echo(json.dumps(found))
         return
     x, y, z = mesh.size_mm
-    click.echo(model)
+    click.echo(str(model))
     click.echo(f"  size       {x:.2f} × {y:.2f} × {z:.2f} mm")
     click.echo(f"  facets     {mesh.report['facets']} in {mesh.report['components']} parts")
     click.echo(f"  surface    {mesh.area / 100:.2f} cm²")
     click.echo(f"  volume     {mesh.volume / 1000:.2f} cm³{'' if found['closed'] else ' (open)'}")
+    if marked is not None:
+        click.echo(f"  marked     {_marked(marked)}")
     for sentence in report.repairs(mesh):
         click.echo(f"  repaired   {sentence}")
     for sentence in report.warnings(mesh):
@@ -67,6 +75,15 @@ def info(model: str, as_json: bool, orient: bool, **options: Any) -> None:
     if turned is not None:
         for line in _poses(turned):
             click.echo(line)
+
+
+def _marked(marks: Marked) -> str:
+    """Say how much of the surface is marked, and by what."""
+    shapes = ", ".join(f"{count} × {kind}" for kind, count in marks["kinds"].items())
+    erased = f"; {marks['erase']} of these erase" if marks["erase"] else ""
+    return (
+        f"{marks['area_mm2'] / 100:.2f} cm², {marks['share']:.1%} of the surface ({shapes}{erased})"
+    )
 
 
 def _poses(found: Orientation) -> Iterator[str]:

@@ -11,6 +11,7 @@ import click
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from wireprint.model import Model
     from wireprint.settings import Settings
 
 Command = TypeVar("Command", bound="Callable[..., object]")
@@ -110,15 +111,21 @@ class Chosen:
         """Compose the settings from profiles."""
         from wireprint.settings import Settings
 
-        printer, material = self.printer or PRINTER, self.material or MATERIAL
-        return Settings.load(printer, material, self.load, self.overrides)
+        return Settings.load(*self._all())
 
     def recalled(self) -> Settings:
         """Compose the settings as `settings` does, for one who does no more than read them."""
         from wireprint import _recall
 
+        return _recall.settings(*self._all())
+
+    def of(self, model: Model) -> Settings:
+        """Lay what was chosen over a project's settings; any other model has those of profiles."""
+        return self.settings() if model.settings is None else self.over(model.settings)
+
+    def _all(self) -> tuple[str, str, tuple[Path, ...], tuple[str, ...]]:
         printer, material = self.printer or PRINTER, self.material or MATERIAL
-        return _recall.settings(printer, material, self.load, self.overrides)
+        return printer, material, self.load, self.overrides
 
     def over(self, settings: Settings) -> Settings:
         """Lay what was chosen over other settings, such as a project's."""

@@ -37,7 +37,6 @@ def project(model: Path, output: Path, **options: Any) -> None:
 
     chosen, marks = chosen_from(options), marks_from(options, [model])
     found = marks.load(model, options)
-    settings = chosen.settings() if found.settings is None else chosen.over(found.settings)
-    write_project(output, found.mesh, settings, found.region)
+    write_project(output, found.mesh, chosen.of(found), found.region)
     count = len(found.region.marks)
     click.echo(f"{output}: {model.name} with {count} mark{'' if count == 1 else 's'}")

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from wireprint.cli.marks import marks_from, marks_options
 from wireprint.cli.placement import placement_options
 
 
@@ -61,6 +62,7 @@ class Words(click.ParamType[tuple[str, ...]]):
 @click.option("--travels", is_flag=True, help="Draw moves without extrusion, too.")
 @click.option("--kinds", type=Words(), help="Show only these: contour, post, diagonal, …")
 @click.option("--edges", is_flag=True, help="Draw the edges of a model's triangles.")
+@marks_options
 @placement_options
 def view(
     file: Path,
@@ -70,30 +72,33 @@ def view(
     travels: bool,
     kinds: tuple[str, ...] | None,
     edges: bool,
-    **placement: Any,
+    **options: Any,
 ) -> None:
     """Draw G-code or a model.
 
-    FILE is G-code of any program, or a model. How a model is placed matters to models alone;
-    camera, size and edges to pictures alone.
+    FILE is G-code of any program, or a model. How a model is placed and what is marked on it
+    matters to models alone; size and edges to pictures alone.
     """
     from wireprint import view as pictures
 
     target = output or file.with_suffix(".png")
     if target.suffix.lower() not in {".png", ".html"}:
         raise click.UsageError(f"{target}: the output must end in .png or .html")
-    shown = pictures.load(file, **placement)
-    if target.suffix.lower() == ".html":
-        pictures.render_html(shown, target, kinds=kinds, travels=travels, title=file.name)
+    marks = marks_from(options, [file])
+    if pictures.is_gcode(file):
+        if marks.fill or marks.files:
+            raise click.UsageError(f"{file}: G-code cannot be marked; mark its model")
+        shown = pictures.load(file)
     else:
-        pictures.render_png(
-            shown,
-            target,
-            size=size,
-            camera=camera,
-            kinds=kinds,
-            travels=travels,
-            edges=edges,
-            title=file.name,
-        )
+        shown = pictures.load(marks.load(file, options))
+    common: dict[str, Any] = {
+        "camera": camera,
+        "kinds": kinds,
+        "travels": travels,
+        "title": file.name,
+    }
+    if target.suffix.lower() == ".html":
+        pictures.render_html(shown, target, **common)
+    else:
+        pictures.render_png(shown, target, size=size, edges=edges, **common)
     click.echo(f"{target}: {file.name}")

@@ -157,10 +157,22 @@ impl Scene {
         Ok(())
     }
 
-    /// Add a mesh's triangles, and its edges as thin lines where they have a colour.
-    #[pyo3(signature = (mesh, colour, *, edges = None))]
-    fn add_mesh(&mut self, mesh: &Mesh, colour: Rgb, edges: Option<Rgb>) {
-        self.core.add_mesh(mesh.core(), colour, edges);
+    /// Add a mesh's triangles.
+    fn add_mesh(&mut self, mesh: &Mesh, colour: Rgb) {
+        let mesh = mesh.core();
+        self.core.add_facets((0..mesh.faces.len()).map(|f| mesh.corners(f)), colour);
+    }
+
+    /// Add loose triangles: float64 of shape (3·T, 3), three corners each, mm.
+    fn add_facets(&mut self, corners: &Bound<'_, PyAny>, colour: Rgb) -> PyResult<()> {
+        let corners = arrays::read_points("corners", corners)?;
+        self.core.add_facets(corners.as_chunks::<3>().0.iter().copied(), colour);
+        Ok(())
+    }
+
+    /// Add a mesh's edges as thin lines.
+    fn add_edges(&mut self, mesh: &Mesh, colour: Rgb) {
+        self.core.add_edges(mesh.core(), colour);
     }
 
     /// Add balls that nothing hides, at points (x, y, z) in mm.

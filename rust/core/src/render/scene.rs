@@ -57,11 +57,14 @@ pub struct Scene {
 const EDGE_PX: f64 = 1.0;
 
 impl Scene {
-    /// Adds a mesh's triangles, and its edges as thin lines where they have a colour.
-    pub fn add_mesh(&mut self, mesh: &Mesh, colour: Rgb, edges: Option<Rgb>) {
-        let facets = (0..mesh.faces.len()).map(|f| mesh.corners(f));
-        self.facets.extend(facets.map(|corners| Facet { corners, colour, lit: true }));
-        let Some(colour) = edges else { return };
+    /// Adds triangles of one colour.
+    pub fn add_facets(&mut self, facets: impl IntoIterator<Item = [DVec3; 3]>, colour: Rgb) {
+        let lit = facets.into_iter().map(|corners| Facet { corners, colour, lit: true });
+        self.facets.extend(lit);
+    }
+
+    /// Adds a mesh's edges as thin lines.
+    pub fn add_edges(&mut self, mesh: &Mesh, colour: Rgb) {
         for (f, neighbours) in mesh.neighbours.iter().enumerate() {
             let corners = mesh.corners(f);
             for (i, neighbour) in neighbours.iter().enumerate() {
