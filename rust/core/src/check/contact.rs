@@ -34,8 +34,13 @@ pub(super) fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> 
         return parts;
     }
     let radius = touch(rules);
-    let lowest = ends[0].z.min(ends[1].z) - radius;
-    deposit.grid.earlier(ends, radius, strand, lowest, |other| {
+    let (low, high) = (ends[0].min(ends[1]) - radius, ends[0].max(ends[1]) + radius);
+    deposit.grid.earlier(ends, radius, strand, low.z, |other| {
+        // Most strands of a cell are too far off, which their boxes tell sooner than the distance.
+        let [a, b] = deposit.strands[other as usize];
+        if a.max(b).cmplt(low).any() || a.min(b).cmpgt(high).any() {
+            return ControlFlow::Continue(());
+        }
         let material = eligible(strand, other, deposit, rules.strand * OWN_CHAIN_DIAMETERS);
         if let Some(part) = material.and_then(|material| within(ends, material, radius)) {
             covered = insert(&mut parts, part, covered);
@@ -84,11 +89,6 @@ fn below([a, b]: [DVec3; 2], height: f64) -> Option<Part> {
 /// The points within `radius` of a segment form a capsule, which is convex: the part is the hull
 /// of those in its two balls and in its cylinder.
 pub(super) fn within(segment: [DVec3; 2], axis: [DVec3; 2], radius: f64) -> Option<Part> {
-    let apart = segment[0].min(segment[1]) - axis[0].max(axis[1]);
-    let apart = apart.max(axis[0].min(axis[1]) - segment[0].max(segment[1]));
-    if apart.max_element() > radius {
-        return None;
-    }
     let run = segment[1] - segment[0];
     let ball = |centre| ball(segment[0] - centre, run, radius);
     [ball(axis[0]), ball(axis[1]), cylinder(segment[0] - axis[0], run, axis[1] - axis[0], radius)]

@@ -21,14 +21,37 @@ const SLACK_MM: f64 = 1e-6;
 /// First step of a search within a cell, entries.
 const GALLOP: usize = 8;
 
+/// A cell that a segment comes near, and which it came near just before.
+struct Visit {
+    cell: usize,
+    column: u16,
+    /// Columns visited in the same row, from the first on.
+    first: u16,
+    /// Columns visited in the row below; empty where it was passed by.
+    below: [u16; 2],
+}
+
 /// A strand in a cell.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Entry {
     strand: u32,
+    /// The first column of the strand's cells in the same row.
+    first: u16,
+    /// The columns of its cells in the row below.
+    below: [u16; 2],
     /// Highest point of the cell's strands up to this one, mm.
     ceiling: f64,
     /// Lowest point of the cell's strands from this one on, mm.
     floor: f64,
+}
+
+impl Entry {
+    /// Whether the strand lies in a cell that was visited before this one, too.
+    fn was_met(&self, visit: &Visit) -> bool {
+        let [low, high] = self.below;
+        self.first.max(visit.first) < visit.column
+            || low.max(visit.below[0]) < high.min(visit.below[1])
+    }
 }
 
 /// The grid; what lies outside its rectangle is neither kept nor found.
@@ -68,7 +91,7 @@ impl Grid {
     fn count(&mut self, strands: &[[DVec3; 2]]) {
         let mut counts = vec![0_usize; self.columns * self.rows];
         for strand in strands {
-            self.every(*strand, |cell| counts[cell] += 1);
+            self.every(*strand, |visit| counts[visit.cell] += 1);
         }
         let mut total = 0;
         for (start, count) in self.starts.iter_mut().skip(1).zip(counts) {
@@ -79,11 +102,10 @@ impl Grid {
 
     fn fill(&mut self, strands: &[[DVec3; 2]]) {
         let mut next = self.starts.clone();
-        let empty = Entry { strand: 0, ceiling: 0.0, floor: 0.0 };
-        let mut entries = vec![empty; *self.starts.last().unwrap_or(&0)];
+        let mut entries = vec![Entry::default(); *self.starts.last().unwrap_or(&0)];
         for (strand, ends) in (0_u32..).zip(strands) {
-            self.every(*ends, |cell| {
-                entries[next[cell]].strand = strand;
+            self.every(*ends, |Visit { cell, first, below, .. }| {
+                entries[next[cell]] = Entry { strand, first, below, ..Entry::default() };
                 next[cell] += 1;
             });
         }
@@ -110,7 +132,8 @@ impl Grid {
 
     /// Calls `found` with each strand before strand `before` whose cell lies within `reach` of the
     /// segment (mm, over xy), latest first in each cell, until nothing in the cell rises above
-    /// `height`, or until `found` breaks off. A strand in several cells is found in each of them.
+    /// `height`, or until `found` breaks off. A strand in several cells is found in the first
+    /// of those that follow on one another.
     pub(super) fn earlier(
         &self,
         segment: [DVec3; 2],
@@ -119,14 +142,16 @@ impl Grid {
         height: f64,
         mut found: impl FnMut(u32) -> ControlFlow<()>,
     ) {
-        let _ = self.visit(segment, reach, |cell| {
-            let entries = &self.entries[self.starts[cell]..self.starts[cell + 1]];
+        let _ = self.visit(segment, reach, |visit| {
+            let entries = self.cell(visit.cell);
             let end = self.position(entries, before);
             for entry in entries[..end].iter().rev() {
                 if entry.ceiling <= height {
                     break;
                 }
-                found(entry.strand)?;
+                if !entry.was_met(&visit) {
+                    found(entry.strand)?;
+                }
             }
             ControlFlow::Continue(())
         });
@@ -142,8 +167,8 @@ impl Grid {
         height: f64,
         mut test: impl FnMut(u32) -> bool,
     ) -> bool {
-        let search = self.visit([point, point], reach, |cell| {
-            let entries = &self.entries[self.starts[cell]..self.starts[cell + 1]];
+        let search = self.visit([point, point], reach, |visit| {
+            let entries = self.cell(visit.cell);
             let begin = self.position(entries, after + 1);
             let mut later = entries[begin..].iter().take_while(|entry| entry.floor <= height);
             if later.any(|entry| test(entry.strand)) {
@@ -152,6 +177,10 @@ impl Grid {
             ControlFlow::Continue(())
         });
         search.is_break()
+    }
+
+    fn cell(&self, cell: usize) -> &[Entry] {
+        &self.entries[self.starts[cell]..self.starts[cell + 1]]
     }
 
     /// Number of a cell's entries before strand `strand`.
@@ -177,9 +206,9 @@ impl Grid {
     }
 
     /// Calls `found` with every cell that a segment passes.
-    fn every(&self, segment: [DVec3; 2], mut found: impl FnMut(usize)) {
-        let _ = self.visit(segment, 0.0, |cell| {
-            found(cell);
+    fn every(&self, segment: [DVec3; 2], mut found: impl FnMut(Visit)) {
+        let _ = self.visit(segment, 0.0, |visit| {
+            found(visit);
             ControlFlow::Continue(())
         });
     }
@@ -190,18 +219,27 @@ impl Grid {
         &self,
         [a, b]: [DVec3; 2],
         reach: f64,
-        mut found: impl FnMut(usize) -> ControlFlow<()>,
+        mut found: impl FnMut(Visit) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
+        let mut below = [0; 2];
         let reach = reach + SLACK_MM;
         let (low, high) = (a.y.min(b.y) - reach - self.low.y, a.y.max(b.y) + reach - self.low.y);
         for row in cells(low, high, self.cell.y, self.rows) {
             let bottom = self.low.y + row as f64 * self.cell.y - reach;
             let top = bottom + self.cell.y + 2.0 * reach;
-            let Some((left, right)) = clip(a, b, bottom, top) else { continue };
+            let Some((left, right)) = clip(a, b, bottom, top) else {
+                below = [0; 2];
+                continue;
+            };
             let (left, right) = (left - reach - self.low.x, right + reach - self.low.x);
-            for column in cells(left, right, self.cell.x, self.columns) {
-                found(row * self.columns + column)?;
+            let columns = cells(left, right, self.cell.x, self.columns);
+            // There are at most `MOST_CELLS` columns.
+            let [first, end] = [columns.start, columns.end].map(|column| column as u16);
+            for column in first..end {
+                let cell = row * self.columns + usize::from(column);
+                found(Visit { cell, column, first, below })?;
             }
+            below = [first, end];
         }
         ControlFlow::Continue(())
     }
@@ -209,9 +247,13 @@ impl Grid {
 
 /// The cells, of `count` with this size, that the interval `low`–`high` overlaps.
 fn cells(low: f64, high: f64, size: f64, count: usize) -> Range<usize> {
-    let first = (low / size).floor().clamp(0.0, count as f64);
-    let end = ((high / size).floor() + 1.0).clamp(first, count as f64);
-    first as usize..end as usize
+    if high < 0.0 {
+        return 0..0;
+    }
+    // Casts round towards zero and saturate.
+    let first = ((low / size).max(0.0) as usize).min(count);
+    let end = ((high / size) as usize).saturating_add(1).clamp(first, count);
+    first..end
 }
 
 /// Range of x of the part of `a`–`b` with y in `bottom`–`top`.
@@ -232,4 +274,60 @@ fn clip(a: DVec3, b: DVec3, bottom: f64, top: f64) -> Option<(f64, f64)> {
     }
     let (x0, x1) = (a.x + enter * (b.x - a.x), a.x + leave * (b.x - a.x));
     Some((x0.min(x1), x0.max(x1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{dvec2, dvec3};
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn segments(count: usize) -> impl Strategy<Value = Vec<[DVec3; 2]>> {
+        let point = || (0.0..40.0, 0.0..40.0, 0.0..9.0).prop_map(|(x, y, z)| dvec3(x, y, z));
+        prop::collection::vec((point(), point()).prop_map(|(a, b)| [a, b]), count)
+    }
+
+    /// Whether some point of one segment lies this close to some point of the other, over xy.
+    fn is_near(a: [DVec3; 2], b: [DVec3; 2], reach: f64) -> bool {
+        let along = |[from, to]: [DVec3; 2], i: u32| from.lerp(to, f64::from(i) / 40.0).truncate();
+        (0..=40).any(|i| (0..=40).any(|j| along(a, i).distance(along(b, j)) <= reach))
+    }
+
+    #[test]
+    fn a_strand_through_many_cells_is_found_once() {
+        for to in [dvec3(39.0, 1.0, 5.0), dvec3(1.0, 39.0, 5.0), dvec3(39.0, 39.0, 5.0)] {
+            let strand = [dvec3(1.0, 1.0, 5.0), to];
+            let grid = Grid::new(&[strand], DVec2::ZERO, dvec2(40.0, 40.0));
+            let mut found = 0;
+            grid.earlier(strand, 5.0, 1, 0.0, |_| {
+                found += 1;
+                ControlFlow::Continue(())
+            });
+            assert_eq!(found, 1);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn all_earlier_strands_nearby_are_found(
+            strands in segments(30),
+            query in segments(1),
+            reach in 0.0..9.0,
+            before in 0..30_u32,
+            height in 0.0..9.0,
+        ) {
+            let grid = Grid::new(&strands, DVec2::ZERO, dvec2(40.0, 40.0));
+            let mut found = Vec::new();
+            grid.earlier(query[0], reach, before, height, |strand| {
+                found.push(strand);
+                ControlFlow::Continue(())
+            });
+            for (strand, ends) in (0..before).zip(&strands) {
+                let is_high = ends[0].z.max(ends[1].z) > height;
+                let missed = is_high && is_near(query[0], *ends, reach) && !found.contains(&strand);
+                prop_assert!(!missed, "{strand} of {found:?}");
+            }
+        }
+    }
 }
