@@ -82,7 +82,7 @@ def test_a_band_around_a_model_is_layers_and_the_rest_is_the_plain_print(models)
     assert strands(made, LAYERWISE)[..., 2].min() > low - SETTINGS.slab_max_mm / 2
     assert strands(made, POST)[..., 2].max() < low + SETTINGS.slab_max_mm / 2
     same = plain.wireframe.strands[: np.argmax(made.wireframe.strand_kinds == LAYERWISE)]
-    np.testing.assert_array_equal(made.wireframe.strands[: len(same)], same)
+    np.testing.assert_allclose(made.wireframe.strands[: len(same)], same, atol=1e-9)
 
 
 def test_layers_fill_their_slab_exactly(models):
@@ -253,6 +253,28 @@ def test_wire_is_the_same_whether_the_inside_is_filled_or_not(models):
     assert made.figures()["regions"]["filled_mm3"] > 500
     assert without.figures()["regions"]["filled_mm3"] == 0
     np.testing.assert_array_equal(strands(made, POST), strands(without, POST))
+
+
+@pytest.mark.parametrize(
+    ("name", "shape"),
+    [
+        ("sphere", Sphere(centre_mm=(0, -45, 45), radius_mm=15)),
+        ("bottle", Box(low_mm=(-40, -40, 20), high_mm=(40, -10, 60))),
+    ],
+)
+def test_outside_a_region_posts_and_contours_are_those_of_the_plain_print(models, name, shape):
+    mesh = models(name, height_mm=90)
+    made, plain = printed(mesh, shape, certify=False), make(mesh, SETTINGS, certify=False)
+    lines = np.concatenate([strands(made, LAYERWISE), strands(made, FILL)])
+    near = cKDTree(lines[:, 0, :2])
+    # Slanted ends reach this far at most, and may lead up to the next post but one.
+    reach = 2 * (SETTINGS.slab_max_mm / np.tan(np.radians(32)) + 0.5)
+    for kind in (POST, CONTOUR):
+        wanted, found = (np.sort(strands(p, kind), axis=1).reshape(-1, 6) for p in (plain, made))
+        far = near.query(wanted[:, :2])[0] > reach
+        missing = cKDTree(found).query(wanted[far])[0] > 1e-6
+        assert far.sum() > 30
+        assert not missing.any()
 
 
 SHAPE = st.tuples(

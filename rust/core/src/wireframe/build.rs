@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::builder::{Builder, Course, SAME};
 use super::columns::{self, Wants};
 use super::curve::Curve;
+use super::guide::{Guide, Spokes};
 use super::posts::Post;
 use super::rim::Rim;
 use super::slab::Top;
@@ -69,6 +70,19 @@ pub struct Build<'a> {
     pub(super) searching: bool,
     /// Number of slabs that want that.
     pub(super) wanting: usize,
+    /// The plain print that wire beside layers goes by; empty for that print itself.
+    pub(super) guide: &'a Guide,
+    pub(super) spokes: Vec<Spokes>,
+}
+
+/// What a pass of the build goes by.
+#[derive(Clone, Copy)]
+struct Plan<'a> {
+    layered: &'a Layered,
+    head: &'a Head,
+    p: &'a WireParams,
+    /// Whether slabs are tried in several orders.
+    searching: bool,
 }
 
 /// What a pass of the build comes to.
@@ -79,6 +93,7 @@ struct Laid {
     wants: Wants,
     sag: f64,
     wanting: usize,
+    spokes: Vec<Spokes>,
 }
 
 impl Laid {
@@ -96,45 +111,58 @@ impl Laid {
 
 /// Lays the strands of a sliced model, those of `layered` among them: always the nearest contour
 /// first and, where slabs want that, also in the best order of each slab; what is better as a whole
-/// is kept.
+/// is kept. With layers, the same is done without them first, and the wire goes by that.
 #[must_use]
 pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
-    let mut found = settled(&sliced, layered, head, p, false);
-    if found.1.wanting > 0 && found.1.wanting >= sliced.strips.len() / FEW {
-        let searched = settled(&sliced, layered, head, p, true);
-        if searched.1.is_better(&found.1) {
+    let none = Layered::default();
+    let plan = Plan { layered: &none, head, p, searching: false };
+    let nothing = Guide::default();
+    let free = [&nothing; 2];
+    let mut found = settled(&sliced, &plan, free);
+    if found.last.wanting > 0 && found.last.wanting >= sliced.strips.len() / FEW {
+        let searched = settled(&sliced, &Plan { searching: true, ..plan }, free);
+        if searched.last.is_better(&found.last) {
             found = searched;
         }
     }
-    let (propped, laid) = found;
-    let sliced = propped.unwrap_or(sliced);
-    let Laid { posts, strands, unprinted, .. } = laid;
+    if !layered.is_empty() {
+        let last = Guide::new(&found.last.posts, found.last.spokes);
+        let first = found.first.map(|first| Guide::new(&first.posts, first.spokes));
+        let guides = [first.as_ref().unwrap_or(&last), &last];
+        found = settled(&sliced, &Plan { layered, ..plan }, guides);
+    }
+    let sliced = found.propped.unwrap_or(sliced);
+    let Laid { posts, strands, unprinted, .. } = found.last;
     Wireframe { posts, strands, unprinted, sliced }
 }
 
-/// Lays the strands; a second pass adds supports where the first one found that they are needed, and
-/// the slices with them are given back.
-fn settled(
-    sliced: &Sliced,
-    layered: &Layered,
-    head: &Head,
-    p: &WireParams,
-    searching: bool,
-) -> (Option<Sliced>, Laid) {
-    let mut laid = lay(sliced, layered, head, p, searching);
-    if !p.supports {
+/// What one or two passes of the build come to.
+struct Settled {
+    /// The slices with supports, if the first pass found that they are needed.
+    propped: Option<Sliced>,
+    /// That pass, and the last one.
+    first: Option<Laid>,
+    last: Laid,
+}
+
+/// Lays the strands; a second pass adds supports where the first one found that they are needed.
+/// Each goes by a guide of its own.
+fn settled(sliced: &Sliced, plan: &Plan, guides: [&Guide; 2]) -> Settled {
+    let mut laid = lay(sliced, plan, guides[0]);
+    if !plan.p.supports {
         laid.wants.columns.clear();
     }
     if laid.wants.columns.is_empty() && laid.wants.roofs.is_empty() {
-        return (None, laid);
+        return Settled { propped: None, first: None, last: laid };
     }
     let mut propped = sliced.clone();
     columns::add(&mut propped, &laid.wants);
-    let laid = lay(&propped, layered, head, p, searching);
-    (Some(propped), laid)
+    let last = lay(&propped, plan, guides[1]);
+    Settled { propped: Some(propped), first: Some(laid), last }
 }
 
-fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams, searching: bool) -> Laid {
+fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide) -> Laid {
+    let &Plan { layered, head, p, searching } = plan;
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(1.0, f64::max);
     let out = Builder::new(head, p.strand, head.clearance(tallest), low, high);
@@ -156,10 +184,12 @@ fn lay(sliced: &Sliced, layered: &Layered, head: &Head, p: &WireParams, searchin
         sag: 0.0,
         searching,
         wanting: 0,
+        guide,
+        spokes: Vec::new(),
     };
     build.run();
-    let Build { out, posts, unprinted, wants, sag, wanting, .. } = build;
-    Laid { posts, strands: out.strands, unprinted, wants, sag, wanting }
+    let Build { out, posts, unprinted, wants, sag, wanting, spokes, .. } = build;
+    Laid { posts, strands: out.strands, unprinted, wants, sag, wanting, spokes }
 }
 
 impl Build<'_> {

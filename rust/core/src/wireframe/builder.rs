@@ -61,6 +61,12 @@ impl<'a> Builder<'a> {
         self.slab = slab;
     }
 
+    /// The slab under way.
+    #[must_use]
+    pub fn slab(&self) -> u32 {
+        self.slab
+    }
+
     /// Where the last strand ended.
     #[must_use]
     pub fn at(&self) -> Option<DVec3> {

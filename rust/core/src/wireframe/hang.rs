@@ -7,6 +7,7 @@ use super::Kind;
 use super::build::{Build, Ground, Standing};
 use super::columns::needs;
 use super::curve::Curve;
+use super::guide::Spokes;
 use super::hatch::bridges;
 use super::level::HELD;
 use super::posts::{Post, even_spacing};
@@ -45,7 +46,7 @@ impl Build<'_> {
             None if self.p.supports => self.bridged(curve, z, printed),
             None => None,
         }?;
-        let standing = self.tighten(curve, z, level, standing, printed);
+        let standing = self.tighten(curve, z, level, standing, printed, self.wide_gap());
         let kind = if contour.support { Kind::Support } else { Kind::Contour };
         Some(self.follow(curve, &standing, z, kind))
     }
@@ -79,7 +80,10 @@ impl Build<'_> {
             return None;
         }
         let walls = Walls::new(&[], 1.0);
-        let start = self.start(curve, carriers);
+        let key = self.spokes_key(spacing);
+        let kept = self.guide.spokes(key, curve, z);
+        let begun = kept.first().map(|first| first.post.s).filter(|_| curve.is_closed());
+        let start = begun.unwrap_or_else(|| self.start(curve, carriers));
         let input = ZigzagInput {
             curve,
             z,
@@ -93,6 +97,7 @@ impl Build<'_> {
             placement: Placement::Optimal,
             strand: self.p.strand,
             span_limit: self.p.span_limit,
+            kept: &kept,
         };
         let limit = self.p.free_end_limit;
         let shift = |post: &Post| Post { s: curve.wrap(start + post.s), ..*post };
@@ -100,10 +105,17 @@ impl Build<'_> {
             post.base.distance(post.peak) <= limit && wanted(&shift(post))
         });
         let posts = self.out.zigzag(&steps, kind, kind, self.p.span_limit);
+        self.spokes.push(Spokes { key, posts: posts.clone() });
         (!posts.is_empty()).then_some(Standing { curve: 0, start, posts })
     }
 
-    /// Adds ties where a contour's posts leave wide gaps, and asks for supports where gaps remain.
+    /// Gaps of a contour that is tied are no wider than this, mm.
+    pub(super) fn wide_gap(&self) -> f64 {
+        TIE * self.p.cap_spacing
+    }
+
+    /// Adds ties where a contour's posts leave gaps wider than `wide`, and asks for supports where
+    /// gaps remain.
     pub(super) fn tighten(
         &mut self,
         curve: &Curve,
@@ -111,8 +123,8 @@ impl Build<'_> {
         level: usize,
         standing: Standing,
         printed: &Ground,
+        wide: f64,
     ) -> Standing {
-        let wide = TIE * self.p.cap_spacing;
         let wide_gaps: Vec<(f64, f64)> =
             gaps(curve, &standing.posts).filter(|&(_, gap)| gap > wide).collect();
         if wide_gaps.is_empty() {
@@ -142,6 +154,15 @@ impl Build<'_> {
         let widest = WIDE * self.p.span_limit;
         self.wants.columns.extend(needs(curve, start, &posts, level, widest));
         Standing { curve: number, start, posts }
+    }
+
+    /// Whether the plain print ties a contour of this slab to its neighbours.
+    pub(super) fn was_tied(&self, curve: &Curve, z: f64) -> bool {
+        !self.guide.spokes(self.spokes_key(TIE), curve, z).is_empty()
+    }
+
+    fn spokes_key(&self, spacing: f64) -> (u32, u64) {
+        (self.out.slab(), spacing.to_bits())
     }
 
     /// Bridges from rim to rim across the place of a contour.

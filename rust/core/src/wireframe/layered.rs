@@ -52,6 +52,13 @@ pub struct Layered {
 }
 
 impl Layered {
+    /// Whether nothing is layers, and no face is closed side by side.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.slabs.iter().all(|s| s.strips.is_empty() && s.stretches.is_empty())
+            && !self.flats.iter().any(|(_, marked)| *marked)
+    }
+
     /// What is layers in a slab, if anything is.
     #[must_use]
     pub fn slab(&self, slab: usize) -> Option<&LayeredSlab> {

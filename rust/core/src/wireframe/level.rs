@@ -98,7 +98,7 @@ impl Build<'_> {
         }
         let lifted = z + LIFT * self.p.strand;
         let standing = self.spokes(curve, lifted, &carriers, Kind::Cap, LEDGE, |_| true)?;
-        let standing = self.tighten(curve, lifted, level, standing, printed);
+        let standing = self.tighten(curve, lifted, level, standing, printed, self.wide_gap());
         Some(self.follow(curve, &standing, lifted, Kind::Contour))
     }
 

@@ -5,6 +5,8 @@ mod build;
 mod builder;
 mod columns;
 pub mod curve;
+mod detours;
+mod guide;
 mod hang;
 mod hatch;
 pub mod layered;

@@ -38,6 +38,25 @@ pub struct Candidate {
     /// How near the nearest other wall comes, relative to the head's clearance; infinite where
     /// none is within it.
     pub room: f64,
+    /// The plain print's post that it is, if it is one.
+    pub kept: Option<Rank>,
+}
+
+/// The place of a post among those of its contour in the plain print.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Rank {
+    /// Its number.
+    pub number: usize,
+    /// The number of the one that comes next along the contour.
+    pub next: usize,
+}
+
+impl Candidate {
+    /// Whether the plain print has no post between this one and another.
+    #[must_use]
+    pub fn leads_to(&self, other: &Self) -> bool {
+        self.kept.zip(other.kept).is_some_and(|(one, two)| one.next == two.number)
+    }
 }
 
 /// What the placing of posts depends on; lengths in mm.
@@ -108,7 +127,8 @@ pub fn candidates(
                 None => footing.nearest(station.position()).map(|f| (f.position, f.offset))?,
             };
             let post = Post { base, peak: station.position().extend(z), s };
-            Some(Candidate { post, station, offset, spacing: 0.0, room: f64::INFINITY })
+            let room = f64::INFINITY;
+            Some(Candidate { post, station, offset, spacing: 0.0, room, kept: None })
         })
         .collect()
 }
@@ -157,15 +177,7 @@ pub fn place(
     p: &PostParams,
 ) -> Vec<Post> {
     let Some(first) = all.first() else { return Vec::new() };
-    let chain = Chain {
-        curve,
-        all,
-        s: all.iter().map(|c| c.post.s).collect(),
-        ideals: all.iter().map(|c| p.ideal.max(c.spacing)).collect(),
-        end: curve.station(start, curve.length()),
-        head,
-        p,
-    };
+    let chain = Chain::new(curve, start, all, head, p);
     [WIDEST * p.ideal, f64::INFINITY]
         .into_iter()
         .find_map(|widest| chain.cheapest(widest))
@@ -173,7 +185,7 @@ pub fn place(
 }
 
 /// The candidates of one contour as nodes of a graph whose edges are chords.
-struct Chain<'a> {
+pub(super) struct Chain<'a> {
     curve: &'a Curve,
     all: &'a [Candidate],
     /// Arc length of each peak, mm, and spacing to aim at behind it: side by side, since they are
@@ -185,27 +197,51 @@ struct Chain<'a> {
     p: &'a PostParams,
 }
 
-impl Chain<'_> {
+impl<'a> Chain<'a> {
+    /// Some candidates in order along a curve, their arc lengths counted from `start`.
+    pub(super) fn new(
+        curve: &'a Curve,
+        start: f64,
+        all: &'a [Candidate],
+        head: &'a Head,
+        p: &'a PostParams,
+    ) -> Self {
+        Self {
+            curve,
+            all,
+            s: all.iter().map(|c| c.post.s).collect(),
+            ideals: all.iter().map(|c| p.ideal.max(c.spacing)).collect(),
+            end: curve.station(start, curve.length()),
+            head,
+            p,
+        }
+    }
+
     fn cheapest(&self, widest: f64) -> Option<Vec<Post>> {
         let all = self.all;
         let (costs, before) = self.chains(widest);
         let end = (1..all.len())
             .filter(|&j| costs[j].is_finite())
-            .filter_map(|j| self.closing(j, widest).map(|c| (costs[j] + c, j)))
+            .filter_map(|j| self.closing(j, &all[0], widest).map(|c| (costs[j] + c, j)))
             .min_by(|a, b| a.0.total_cmp(&b.0))?
             .1;
-        let mut posts = vec![all[end].post];
+        Some(self.way(&before, end))
+    }
+
+    /// The posts of the chain that ends at a candidate, given what comes before each.
+    pub(super) fn way(&self, before: &[usize], end: usize) -> Vec<Post> {
+        let mut posts = vec![self.all[end].post];
         let mut at = end;
         while at > 0 {
             at = before[at];
-            posts.push(all[at].post);
+            posts.push(self.all[at].post);
         }
         posts.reverse();
-        Some(posts)
+        posts
     }
 
     /// For each candidate, what the cheapest chain to it costs, and the last one before it there.
-    fn chains(&self, widest: f64) -> (Vec<f64>, Vec<usize>) {
+    pub(super) fn chains(&self, widest: f64) -> (Vec<f64>, Vec<usize>) {
         let all = self.all;
         let mut costs = vec![f64::INFINITY; all.len()];
         let mut before = vec![0_usize; all.len()];
@@ -250,14 +286,15 @@ impl Chain<'_> {
         self.head.clearance(peak.z - base.z) - beside - ROUNDING
     }
 
-    /// Cost of ending the chain at a candidate; None where the way back to the start is barred.
-    fn closing(&self, j: usize, widest: f64) -> Option<f64> {
+    /// Cost of ending the chain at a candidate; None where the way back to its first post, `home`,
+    /// is barred.
+    pub(super) fn closing(&self, j: usize, home: &Candidate, widest: f64) -> Option<f64> {
         let last = &self.all[j];
         let rest = self.curve.length() - last.post.s;
         if !self.curve.is_closed() {
             return Some((rest / self.p.ideal).powi(2));
         }
-        let free = reachable(self.head, &self.all[0].post, &last.post) && rest >= last.spacing;
+        let free = reachable(self.head, &home.post, &last.post) && rest >= last.spacing;
         let cost = || uneven(rest, self.ideals[j]) + self.over(rest) + self.stray(j, &self.end);
         (free && rest <= widest).then(cost)
     }

@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::build::{Build, Ground, Standing};
 use super::builder::Course;
 use super::curve::Curve;
+use super::guide::Kept;
 use super::layered::{self, LayeredSlab, Piece};
 use super::posts::Post;
 use super::rim::{Footing, Rim};
@@ -96,8 +97,11 @@ impl Build<'_> {
         let tops = self.tops;
         let top = &tops[slab];
         let jobs = self.jobs(top, &ground.rims);
+        if !self.guide.is_empty() {
+            return self.slab_in(Order::Guided, top, &jobs, ground);
+        }
         let near = NEAR * top.curves.iter().flatten().map(Curve::length).sum::<f64>();
-        let alone = jobs.len() < 2 || self.layered.slab(slab).is_some();
+        let alone = jobs.len() < 2;
         if self.searching && !alone {
             return self.best_order(top, &jobs, ground, near);
         }
@@ -108,7 +112,7 @@ impl Build<'_> {
     }
 
     /// The contours in the order in which they are to be printed; none where that shows on the way.
-    fn ranks(&self, order: Order, jobs: &[Job], ground: &Ground) -> Option<Vec<usize>> {
+    fn ranks(&self, order: Order, top: &Top, jobs: &[Job], ground: &Ground) -> Option<Vec<usize>> {
         let (low, high): (Vec<DVec2>, Vec<DVec2>) =
             jobs.iter().map(|job| bounds(plans(job, ground).into_iter().flatten())).unzip();
         let extent = |i: usize| (high[i] - low[i]).max_element();
@@ -126,6 +130,9 @@ impl Build<'_> {
             }
             Order::InsideOut => ranks.sort_by(|&a, &b| extent(a).total_cmp(&extent(b))),
             Order::OutsideIn => ranks.sort_by(|&a, &b| extent(b).total_cmp(&extent(a))),
+            Order::Guided => {
+                ranks.sort_by_key(|&i| self.guide.rank(top.slab, top.contour(jobs[i].curve)))
+            }
         }
         Some(ranks)
     }
@@ -144,7 +151,7 @@ impl Build<'_> {
         let mut printed = Ground { rims: vec![None; top.curves.len()], lines: Vec::new() };
         self.print_crowded_rims(top, jobs, ground);
         let (mut waiting, mut loose, mut bare) = (Vec::new(), Vec::new(), Vec::new());
-        let mut ranks = self.ranks(order, jobs, ground).map(Vec::into_iter);
+        let mut ranks = self.ranks(order, top, jobs, ground).map(Vec::into_iter);
         let mut order = Waiting::new(jobs.iter().map(|job| plans(job, ground)).collect());
         loop {
             let next = match &mut ranks {
@@ -159,7 +166,7 @@ impl Build<'_> {
                 continue;
             };
             self.sag += sag(curve, &standing);
-            if self.is_loose(curve, &standing, z - self.sliced.levels[slab].z) {
+            if self.is_loose(top, curve, &standing) || self.was_tied(curve, z) {
                 loose.push(standing);
             } else if layers.is_some() || is_in_the_way(curve, &order, top.reach) {
                 waiting.push(standing);
@@ -231,11 +238,13 @@ impl Build<'_> {
         job: &Job,
         curve: &'b Curve,
         carriers: &'b [&'b Rim],
+        kept: &'b [Kept],
     ) -> ZigzagInput<'b> {
+        let start = kept.first().map(|first| first.post.s).filter(|_| curve.is_closed());
         ZigzagInput {
             curve,
             z: top.z,
-            start: self.start(curve, carriers),
+            start: start.unwrap_or_else(|| self.start(curve, carriers)),
             // A piece begins where its region ends, wherever the head may be.
             from: if top.piece(job.curve).is_some() { None } else { self.going_on(carriers) },
             rims: carriers,
@@ -246,12 +255,16 @@ impl Build<'_> {
             placement: self.p.placement,
             strand: self.p.strand,
             span_limit: self.p.span_limit,
+            kept,
         }
     }
 
     fn stand_on(&mut self, top: &Top, job: &Job, carriers: &[&Rim], up: Kind) -> Option<Standing> {
         let curve = top.curves[job.curve].as_ref().filter(|_| !carriers.is_empty())?;
-        let input = self.input(top, job, curve, carriers);
+        let contour = top.contour(job.curve);
+        let mut kept = self.guide.posts(top.slab, contour, curve, top.z);
+        kept.retain(|_| up == Kind::Post);
+        let input = self.input(top, job, curve, carriers, &kept);
         let limit = self.p.free_end_limit;
         let out = &self.out;
         let (start, mut steps) = zigzag(&input, self.head, |post| {
@@ -305,7 +318,7 @@ impl Build<'_> {
         let carriers: Vec<&Rim> =
             job.carriers.iter().filter_map(|&i| ground.rims[i].as_ref()).collect();
         let [carrier] = carriers[..] else { return None };
-        let mut input = self.input(top, job, curve, &carriers);
+        let mut input = self.input(top, job, curve, &carriers, &[]);
         input.on_peaks = true;
         let (out, limit) = (&self.out, self.p.free_end_limit);
         let (start, steps) = zigzag(&input, self.head, |post| {
@@ -409,7 +422,8 @@ impl Build<'_> {
             let standing = if self.is_support(top, standing.curve) {
                 standing
             } else {
-                self.tighten(curve, top.z, top.slab + 1, standing, printed)
+                let wide = self.tie_over(top, curve);
+                self.tighten(curve, top.z, top.slab + 1, standing, printed, wide)
             };
             printed.rims[standing.curve] = Some(self.ring(top, &standing));
         }
@@ -444,9 +458,24 @@ impl Build<'_> {
     }
 
     /// Whether a stretch of the contour hangs too far from posts.
-    fn is_loose(&self, curve: &Curve, standing: &Standing, height: f64) -> bool {
-        let limit = self.p.free_end_limit.max(LOOSE * self.head.clearance(height));
+    fn is_loose(&self, top: &Top, curve: &Curve, standing: &Standing) -> bool {
+        let limit = self.loose_gap(top);
         gaps(curve, &standing.posts).any(|(_, gap)| gap > limit)
+    }
+
+    /// Contours with wider gaps between their posts are tied, mm.
+    fn loose_gap(&self, top: &Top) -> f64 {
+        let height = top.z - self.sliced.levels[top.slab].z;
+        self.p.free_end_limit.max(LOOSE * self.head.clearance(height))
+    }
+
+    /// Over which gaps a loose contour is tied: where the plain print does without, only beside
+    /// layers.
+    fn tie_over(&self, top: &Top, curve: &Curve) -> f64 {
+        if self.guide.is_empty() || self.was_tied(curve, top.z) {
+            return self.wide_gap();
+        }
+        self.loose_gap(top)
     }
 
     /// The contours that this slab leads up to, with what carries them.

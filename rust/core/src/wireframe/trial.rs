@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::build::{Build, Ground};
 use super::builder::SAME;
 use super::columns::Need;
+use super::guide::Spokes;
 use super::slab::{Job, Top};
 use super::{PlacedPost, Strand, Unprinted};
 
@@ -20,6 +21,8 @@ pub enum Order {
     InsideOut,
     /// The largest first.
     OutsideIn,
+    /// As in the plain print.
+    Guided,
 }
 
 /// A stroke that ends in the air takes as long as this much more of it, mm: its pause.
@@ -44,6 +47,7 @@ pub struct Mark {
     unprinted: usize,
     columns: usize,
     roofs: usize,
+    spokes: usize,
     sag: f64,
 }
 
@@ -56,6 +60,7 @@ struct Trial {
     unprinted: Vec<Unprinted>,
     columns: Vec<Need>,
     roofs: Vec<(usize, usize)>,
+    spokes: Vec<Spokes>,
     sag: f64,
     below: Ground,
     printed: Ground,
@@ -146,6 +151,7 @@ impl Build<'_> {
             unprinted: self.unprinted.len(),
             columns: self.wants.columns.len(),
             roofs: self.wants.roofs.len(),
+            spokes: self.spokes.len(),
             sag: self.sag,
         }
     }
@@ -161,6 +167,7 @@ impl Build<'_> {
             unprinted: self.unprinted.split_off(mark.unprinted),
             columns: self.wants.columns.split_off(mark.columns),
             roofs: self.wants.roofs.split_off(mark.roofs),
+            spokes: self.spokes.split_off(mark.spokes),
             sag,
             below,
             printed,
@@ -175,6 +182,7 @@ impl Build<'_> {
         self.unprinted.extend(trial.unprinted);
         self.wants.columns.extend(trial.columns);
         self.wants.roofs.extend(trial.roofs);
+        self.spokes.extend(trial.spokes);
         self.sag += trial.sag;
         *ground = trial.below;
         trial.printed

@@ -3,10 +3,12 @@
 use glam::{DVec2, DVec3};
 
 use super::curve::Curve;
+use super::detours::place_through;
+use super::guide::{Kept, merged};
 use super::posts::{
     Candidate, Post, PostParams, candidates, even_spacing, place, place_by_averaging, reachable,
 };
-use super::rim::Rim;
+use super::rim::{Footing, Rim};
 use super::walls::Walls;
 use crate::head::Head;
 
@@ -54,6 +56,8 @@ pub struct ZigzagInput<'a> {
     pub strand: f64,
     /// Longest free chord.
     pub span_limit: f64,
+    /// Posts of the plain print, which stay where they are.
+    pub kept: &'a [Kept],
 }
 
 /// Posts keep this much more than the head's bare clearance, for rounding in the written file.
@@ -85,23 +89,29 @@ pub fn zigzag(
     let step = FINEST.max(least / 6.0);
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
     let mut all = candidates(curve, z, start, input.from, rims, step, input.on_peaks);
-    let crowd = crowd(input, &mut all, least);
+    let mut near = crowd(input, start, &mut all, least);
     all.retain(|c| is_free(&c.post));
+    let mut start = start;
+    if !input.kept.is_empty() {
+        let footing = Footing::new(rims);
+        (start, all) = merged(all, input.kept, curve, start, &footing, input.strand, &is_free);
+        near = near.min(crowd(input, start, &mut all, least));
+    }
     let Some(first) = all.first().copied() else { return (start, Vec::new()) };
     let shift = if curve.is_closed() { first.post.s } else { 0.0 };
     for c in &mut all {
         c.post.s -= shift;
     }
-    (start + shift, chain(input, start + shift, &all, head, ideal, crowd))
+    (start + shift, chain(input, start + shift, &all, head, ideal, near))
 }
 
 /// Widens the spacing of candidates near other walls; tells how near the nearest comes, relative
 /// to the clearance.
-fn crowd(input: &ZigzagInput, all: &mut [Candidate], least: f64) -> f64 {
+fn crowd(input: &ZigzagInput, start: f64, all: &mut [Candidate], least: f64) -> f64 {
     let mut nearest = f64::INFINITY;
     for c in all {
         let place: DVec2 = c.post.peak.truncate();
-        let gap = input.walls.gap(input.wall, input.start + c.post.s, place, least);
+        let gap = input.walls.gap(input.wall, start + c.post.s, place, least);
         if gap < least {
             c.spacing = 2.0 * (least * least - gap * gap).sqrt() * ROOM;
             c.room = gap / least;
@@ -121,8 +131,13 @@ fn chain(
 ) -> Vec<Step> {
     let params =
         PostParams { ideal, chord_error: 0.5 * input.strand, span_limit: input.span_limit };
-    let posts = place(input.curve, start, all, head, &params);
-    let settled = if crowd < 1.0 { settle(&posts, all, head) } else { posts };
+    let through = place_through(input.curve, start, all, head, &params);
+    let posts = through.unwrap_or_else(|| place(input.curve, start, all, head, &params));
+    let settled = match crowd < 1.0 {
+        true if input.kept.is_empty() => settle(&posts, all, head),
+        true => beside_kept(&posts, all, head),
+        false => posts,
+    };
     let roomy = |post: &Post| {
         let i = all.partition_point(|c| c.post.s < post.s);
         all.get(i).is_some_and(|c| c.room >= DIAGONAL_ROOM)
@@ -135,6 +150,17 @@ fn chain(
         steps.push(Step { post, linked });
     }
     steps
+}
+
+/// Leaves out posts that are not clear of those of the plain print.
+fn beside_kept(posts: &[Post], all: &[Candidate], head: &Head) -> Vec<Post> {
+    let is_kept = |post: &Post| {
+        let at = all.partition_point(|c| c.post.s < post.s);
+        all.get(at).is_some_and(|c| c.kept.is_some())
+    };
+    let kept: Vec<Post> = posts.iter().filter(|post| is_kept(post)).copied().collect();
+    let clear = |p: &Post| kept.iter().all(|k| reachable(head, k, p) && reachable(head, p, k));
+    posts.iter().filter(|post| is_kept(post) || clear(post)).copied().collect()
 }
 
 /// Resolves conflicts across the contour: each post must be clear of all earlier ones, not only
