@@ -42,10 +42,10 @@ manifest, with all defaults (`kossel-mini`, `abs`), on a bed that is large enoug
 """
 
 
-def evaluate(mesh, settings, row):
+def evaluate(model, settings, row):
     """Fill in the certificate, and what it costs in print time."""
-    figures.certificate(mesh, settings, row)
-    row["plain_ratio"] = row["print_time_s"] / plain_time_s(mesh, settings)
+    figures.certificate(model, settings, row)
+    row["plain_ratio"] = row["print_time_s"] / plain_time_s(model.mesh, settings)
 
 
 def plain_time_s(mesh, settings):

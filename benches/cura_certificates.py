@@ -54,13 +54,14 @@ SECTION = """
 """
 
 
-def evaluate(angle, mesh, settings, row):
+def evaluate(angle, model, settings, row):
     """Let CuraEngine print a model for a nozzle's angle, and judge what it writes."""
+    mesh = model.mesh
     with tempfile.TemporaryDirectory(prefix="cura-") as folder:
-        model = Path(folder) / "model.stl"
-        model.write_bytes(stl(mesh))
+        file = Path(folder) / "model.stl"
+        file.write_bytes(stl(mesh))
         begin = time.perf_counter()
-        gcode = printed(model, angle)
+        gcode = printed(file, angle)
         row["run_s"] = time.perf_counter() - begin
     head = settings.printer.head.model_copy(update={"slant_deg": float(angle)})
     printer = settings.printer.model_copy(update={"head": head})

@@ -7,25 +7,25 @@ import time
 FATAL_MM = 13.0
 
 
-def quick(mesh, settings, row):
+def quick(model, settings, row):
     """Tell the width alone."""
-    row["size_x_mm"] = mesh.size_mm[0]
+    row["size_x_mm"] = model.mesh.size_mm[0]
 
 
-def slow(mesh, settings, row):
+def slow(model, settings, row):
     """Take long enough for somebody to interfere."""
     time.sleep(0.3)
-    quick(mesh, settings, row)
+    quick(model, settings, row)
 
 
-def fatal(mesh, settings, row):
+def fatal(model, settings, row):
     """Die of one model, as a worker does that runs out of memory."""
-    if abs(mesh.size_mm[0] - FATAL_MM) < 1e-3:
+    if abs(model.mesh.size_mm[0] - FATAL_MM) < 1e-3:
         os._exit(9)
-    slow(mesh, settings, row)
+    slow(model, settings, row)
 
 
-def faulty(mesh, settings, row):
+def faulty(model, settings, row):
     """Fail in a way that nobody foresaw."""
-    quick(mesh, settings, row)
+    quick(model, settings, row)
     raise ZeroDivisionError("by zero")

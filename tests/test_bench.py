@@ -123,10 +123,10 @@ class TestFigures:
     def test_a_condition_that_fails_costs_only_its_own_cells(self, cube, monkeypatch):
         compare = comparison.compare
 
-        def fails_in_layers(mesh, settings, conditions):
+        def fails_in_layers(mesh, settings, conditions, region):
             if "layerwise-fast" in conditions:
                 raise ModelError("too thin")
-            return compare(mesh, settings, conditions)
+            return compare(mesh, settings, conditions, region)
 
         monkeypatch.setattr(comparison, "compare", fails_in_layers)
         row = task.run(job(figures.comparison), planned(cube)[0])

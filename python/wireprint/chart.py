@@ -22,10 +22,12 @@ _INK: Final = (34, 40, 49)
 _PAPER: Final = (255, 255, 255)
 _GREY: Final = (150, 160, 172)
 _ACCENT: Final = (226, 98, 44)
+#: Conditions in colour.
+_OURS: Final = ("wireprint", "hybrid")
 
 
 def png(comparison: Comparison, title: str) -> bytes:
-    """Draw print times as bars, the wire print's in colour.
+    """Draw print times as bars, those of wire prints in colour.
 
     Parameters
     ----------
@@ -55,7 +57,7 @@ def png(comparison: Comparison, title: str) -> bytes:
     for number, (row, value) in enumerate(zip(rows, values, strict=True), start=1):
         middle = _MARGIN + _ROW * (number + 0.5)
         length = max(1.0, room * row.print_time_s / longest_s)
-        colour = _ACCENT if row.condition == "wireprint" else _GREY
+        colour = _ACCENT if row.condition in _OURS else _GREY
         draw.text((_MARGIN, middle), row.condition, _INK, font, anchor="lm")
         draw.rectangle((left, middle - _BAR / 2, left + length, middle + _BAR / 2), colour)
         draw.text((left + length + _GAP, middle), value, _INK, font, anchor="lm")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import asdict, dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from wireprint._core import Mesh, Toolpath
+    from wireprint.regions import Region
     from wireprint.settings import Settings
 
 
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 class Condition:
     """One way to print a model."""
 
-    #: One of `CONDITIONS`.
+    #: One of `CONDITIONS`, or `HYBRID`.
     condition: str
     #: As the printer's firmware would take; heating and homing aside, s.
     print_time_s: float
@@ -39,7 +41,7 @@ class Condition:
 class Comparison:
     """A model printed in several ways."""
 
-    #: In the order of `CONDITIONS`.
+    #: In the order of `CONDITIONS`, `HYBRID` last.
     conditions: tuple[Condition, ...]
 
     def to_dict(self) -> dict[str, Any]:
@@ -47,7 +49,12 @@ class Comparison:
         return {"conditions": [asdict(condition) for condition in self.conditions]}
 
 
-def compare(mesh: Mesh, settings: Settings, conditions: Iterable[str] | None = None) -> Comparison:
+def compare(
+    mesh: Mesh,
+    settings: Settings,
+    conditions: Iterable[str] | None = None,
+    region: Region | None = None,
+) -> Comparison:
     """Print a model in every way and tell the times.
 
     Parameters
@@ -57,7 +64,11 @@ def compare(mesh: Mesh, settings: Settings, conditions: Iterable[str] | None = N
     settings
         Printer, material, way of wiring; ``settings.layerwise`` for the other conditions.
     conditions
-        Which of `CONDITIONS`; all by default. The first of them is the measure of speed-up.
+        Which of `CONDITIONS` and `HYBRID`; all by default. The first of them is the measure of
+        speed-up.
+    region
+        What is marked, in the mesh's coordinates. Only then there is `HYBRID`: the wire print with
+        layers there.
 
     Returns
     -------
@@ -66,18 +77,22 @@ def compare(mesh: Mesh, settings: Settings, conditions: Iterable[str] | None = N
     Raises
     ------
     SettingError
-        A condition is unknown.
+        A condition is unknown, or is `HYBRID` where nothing is marked.
     ModelError
         The model cannot be printed in one of the ways.
     """
-    wanted = set(CONDITIONS if conditions is None else conditions)
-    if unknown := sorted(wanted - set(CONDITIONS)):
-        msg = f"{unknown[0]!r} is no condition; there are {', '.join(CONDITIONS)}"
+    makers = _MAKERS
+    if region:
+        makers = _MAKERS | {HYBRID: partial(_hybrid, region)}
+    wanted = set(makers if conditions is None else conditions)
+    if unknown := sorted(wanted - set(makers)):
+        why = "nothing is marked" if unknown[0] == HYBRID else "it is no condition"
+        msg = f"condition {unknown[0]!r}: {why}; there are {', '.join(makers)}"
         raise SettingError(msg)
     found: list[Condition] = []
-    for name in (name for name in CONDITIONS if name in wanted):
+    for name in (name for name in makers if name in wanted):
         begin = time.perf_counter()
-        machine, path = _MAKERS[name](mesh, settings)
+        machine, path = makers[name](mesh, settings)
         text = document.body(path, machine, document.dated(None))
         estimate = document.timing(text, machine)
         base_s = found[0].print_time_s if found else estimate.total_s
@@ -137,6 +152,16 @@ def _wire(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
     return settings, toolpath(wireframe(mesh, settings), settings)
 
 
+def _hybrid(region: Region, mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
+    from wireprint.hybrid.motion import motion
+    from wireprint.hybrid.prove import proved
+    from wireprint.stages import on_bed, wireframe
+
+    placed = on_bed(mesh, settings)
+    moved = region.transformed(motion(mesh, placed, (0.0, 0.0, 0.0)))
+    return settings, proved(placed, wireframe(placed, settings), moved, settings).toolpath
+
+
 _MAKERS: Final[dict[str, Callable[[Mesh, Settings], tuple[Settings, Toolpath]]]] = {
     "layerwise-solid": _solid,
     "layerwise-wireframe": _frame,
@@ -145,5 +170,7 @@ _MAKERS: Final[dict[str, Callable[[Mesh, Settings], tuple[Settings, Toolpath]]]]
     "layerwise-fast": _fast,
 }
 
-#: Names of the conditions, in order.
+#: A wire print with layers where something is marked.
+HYBRID: Final = "hybrid"
+#: Names of the conditions of any model, in order.
 CONDITIONS: Final[tuple[str, ...]] = tuple(_MAKERS)

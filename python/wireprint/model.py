@@ -97,6 +97,20 @@ def load_marks(
     return region
 
 
+def project_settings(path: Path) -> Settings | None:
+    """Return the settings of a project without reading its mesh; None for any other file.
+
+    Raises
+    ------
+    ModelError, SettingError
+        It is damaged, or its settings are wrong.
+    """
+    if path.suffix.lower() != ".3mf":
+        return None
+    with _named(path), Archive(path) as archive:
+        return _settings(_saved(archive))
+
+
 class File3mf:
     """A 3MF file that was read, and not placed yet."""
 
@@ -136,12 +150,8 @@ class File3mf:
 
     def settings(self) -> Settings | None:
         """Return a project's settings."""
-        if self._saved is None:
-            return None
-        from wireprint.settings import Settings
-
         with _named(self.path):
-            return Settings.from_mapping(self._saved.settings)
+            return _settings(self._saved)
 
 
 def _saved(archive: Archive) -> Saved | None:
@@ -153,6 +163,15 @@ def _saved(archive: Archive) -> Saved | None:
     from wireprint.project import read_saved
 
     return read_saved(archive, name)
+
+
+def _settings(saved: Saved | None) -> Settings | None:
+    """Validate the settings of a project."""
+    if saved is None:
+        return None
+    from wireprint.settings import Settings
+
+    return Settings.from_mapping(saved.settings)
 
 
 @contextmanager

@@ -5,23 +5,24 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from wireprint._core import UnprintableError, WireprintError
-from wireprint.comparison import CONDITIONS
+from wireprint.comparison import CONDITIONS, HYBRID
 from wireprint.pipeline import make
 
 if TYPE_CHECKING:
     from wireprint._core import Mesh
     from wireprint.bench.task import Row
+    from wireprint.model import Model
     from wireprint.pipeline import WirePrint
     from wireprint.settings import Settings
 
 
-def certificate(mesh: Mesh, settings: Settings, row: Row) -> None:
-    """Fill in what the wire print is like, and whether it keeps the rules."""
-    row |= sizes(mesh)
-    row |= wire_print(make(mesh, settings))
+def certificate(model: Model, settings: Settings, row: Row) -> None:
+    """Fill in what the plain wire print is like, and whether it keeps the rules."""
+    row |= sizes(model.mesh)
+    row |= wire_print(make(model.mesh, settings))
 
 
-def comparison(mesh: Mesh, settings: Settings, row: Row) -> None:
+def comparison(model: Model, settings: Settings, row: Row) -> None:
     """Fill in the certificate, and time and filament under every condition.
 
     Raises
@@ -29,12 +30,13 @@ def comparison(mesh: Mesh, settings: Settings, row: Row) -> None:
     UnprintableError
         Some conditions failed; the cells of the others are filled in.
     """
-    certificate(mesh, settings, row)
+    certificate(model, settings, row)
+    conditions = (*CONDITIONS, HYBRID) if model.region else CONDITIONS
     # One at a time: what a layer slicer cannot print may still be worth a wire print.
     failures = [
         f"{name}: {reason}"
-        for name in CONDITIONS
-        if (reason := _condition(name, mesh, settings, row)) is not None
+        for name in conditions
+        if (reason := _condition(name, model, settings, row)) is not None
     ]
     if failures:
         raise UnprintableError("; ".join(failures))
@@ -45,12 +47,12 @@ def column(condition: str, figure: str) -> str:
     return f"{condition.replace('-', '_')}_{figure}"
 
 
-def _condition(name: str, mesh: Mesh, settings: Settings, row: Row) -> str | None:
+def _condition(name: str, model: Model, settings: Settings, row: Row) -> str | None:
     """Fill in one condition; return why it fails, if it does."""
     from wireprint import comparison
 
     try:
-        [found] = comparison.compare(mesh, settings, [name]).conditions
+        [found] = comparison.compare(model.mesh, settings, [name], model.region).conditions
     except Exception as error:
         return str(error) if isinstance(error, WireprintError) else repr(error)
     row[column(name, "time_s")] = found.print_time_s

@@ -10,10 +10,10 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from wireprint._core import ModelError, SettingError, __version__
+from wireprint._core import ModelError, SettingError, WireprintError, __version__
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 #: What a folder is searched for.
 SUFFIXES: Final = (".stl", ".obj", ".ply", ".off", ".3mf")
@@ -48,6 +48,8 @@ class Task:
     size_bytes: int = 0
     #: Why it cannot even begin.
     error: str | None = None
+    #: The settings, as `Settings.model_dump` gives them, of a model that brings its own.
+    settings: dict[str, Any] | None = field(default=None, repr=False)
     #: The file itself, for a worker that cannot read `model`.
     content: bytes | None = field(default=None, repr=False)
 
@@ -57,7 +59,12 @@ class Task:
         return self.model_sha256, self.settings_sha256
 
 
-def plan(models: Iterable[str], placement: Placement, fingerprint: Mapping[str, Any]) -> list[Task]:
+def plan(
+    models: Iterable[str],
+    placement: Placement,
+    fingerprint: Mapping[str, Any],
+    own_settings: Callable[[Path], dict[str, Any] | None] = lambda _: None,
+) -> list[Task]:
     """List the models that files, folders, globs and manifests name, in that order.
 
     Parameters
@@ -70,6 +77,8 @@ def plan(models: Iterable[str], placement: Placement, fingerprint: Mapping[str, 
         What applies unless a manifest says otherwise.
     fingerprint
         What else the rows depend on, as values that JSON knows.
+    own_settings
+        Tells the settings of a model that brings its own, in place of the fingerprint's.
 
     Raises
     ------
@@ -77,7 +86,10 @@ def plan(models: Iterable[str], placement: Placement, fingerprint: Mapping[str, 
         A folder or pattern holds no model, or a manifest cannot be understood.
     """
     found = dict.fromkeys(pair for name in models for pair in _named(name, placement))
-    return [_task(index, path, placed, fingerprint) for index, (path, placed) in enumerate(found)]
+    return [
+        _task(index, path, placed, fingerprint, own_settings)
+        for index, (path, placed) in enumerate(found)
+    ]
 
 
 def _named(name: str, placement: Placement) -> Iterator[tuple[Path, Placement]]:
@@ -132,18 +144,32 @@ def _placed(place: str, row: Mapping[str, str], placement: Placement) -> Placeme
     return Placement(**values)
 
 
-def _task(index: int, path: Path, placement: Placement, fingerprint: Mapping[str, Any]) -> Task:
+def _task(
+    index: int,
+    path: Path,
+    placement: Placement,
+    fingerprint: Mapping[str, Any],
+    own_settings: Callable[[Path], dict[str, Any] | None],
+) -> Task:
+    content, sha256, settings, error = b"", "", None, None
     try:
-        content, error = path.read_bytes(), None
+        content = path.read_bytes()
+        sha256 = hashlib.sha256(content).hexdigest()
+        settings = own_settings(path)
     except OSError as failure:
-        content, error = b"", f"the file cannot be read: {failure.strerror}"
+        error = f"the file cannot be read: {failure.strerror}"
+    except WireprintError as failure:
+        error = str(failure).removeprefix(f"{path}: ")
     whole = {"version": __version__, "placement": asdict(placement), **fingerprint}
+    if settings is not None:
+        whole["settings"] = settings
     return Task(
         index=index,
         model=path.as_posix(),
         placement=placement,
-        model_sha256="" if error else hashlib.sha256(content).hexdigest(),
+        model_sha256=sha256,
         settings_sha256=hashlib.sha256(json.dumps(whole, sort_keys=True).encode()).hexdigest(),
         size_bytes=len(content),
         error=error,
+        settings=settings,
     )

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from wireprint.bench.figures import column
 from wireprint.bench.histogram import quantile
-from wireprint.comparison import CONDITIONS
+from wireprint.comparison import CONDITIONS, HYBRID
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,7 +19,8 @@ def summary(rows: Sequence[Row]) -> dict[str, Any]:
 
     Failed models count as such and enter a distribution only with the cells that they have.
     """
-    speedups = {name: distribution(speedups_of(rows, name)) for name in CONDITIONS}
+    conditions = (*CONDITIONS, HYBRID)
+    speedups = {name: distribution(speedups_of(rows, name)) for name in conditions}
     return {
         "models": len(rows),
         "failed": sum(bool(row.get("error")) for row in rows),

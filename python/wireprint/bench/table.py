@@ -10,17 +10,18 @@ from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
 from wireprint.bench.figures import column
-from wireprint.comparison import CONDITIONS
+from wireprint.comparison import CONDITIONS, HYBRID
 from wireprint.files import written_whole
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
     from typing import IO, Self
 
     from wireprint.bench.plan import Task
     from wireprint.bench.task import Row
 
+_FIGURES: Final = ("time_s", "filament_mm", "filament_g", "speedup", "compute_s")
 #: Columns in their order, with their types; a cell without a value is empty, or null in Parquet.
 COLUMNS: Final[dict[str, type]] = {
     "model": str,
@@ -51,11 +52,9 @@ COLUMNS: Final[dict[str, type]] = {
     "filament_g": float,
     "plan_s": float,
     "compute_s": float,
-} | {
-    column(condition, figure): float
-    for condition in CONDITIONS
-    for figure in ("time_s", "filament_mm", "filament_g", "speedup", "compute_s")
-}
+} | {column(condition, figure): float for condition in CONDITIONS for figure in _FIGURES}
+#: Further columns, where a model is marked.
+MARKED_COLUMNS: Final[dict[str, type]] = {column(HYBRID, figure): float for figure in _FIGURES}
 SUFFIXES: Final = (".csv", ".parquet")
 
 
@@ -146,7 +145,8 @@ def _read(path: Path) -> list[Row]:
 
 
 def _typed(cells: Mapping[str, str]) -> Row:
-    return {name: _value(COLUMNS.get(name, str), text) for name, text in cells.items()}
+    kinds = COLUMNS | MARKED_COLUMNS
+    return {name: _value(kinds.get(name, str), text) for name, text in cells.items()}
 
 
 def _value(kind: type, text: str) -> Any:
@@ -155,18 +155,20 @@ def _value(kind: type, text: str) -> Any:
     return text == "True" if kind is bool else kind(text)
 
 
-def _encoded(path: Path, rows: Iterable[Row]) -> bytes:
-    whole = [{name: row.get(name) for name in COLUMNS} for row in rows]
+def _encoded(path: Path, rows: Sequence[Row]) -> bytes:
+    marked = any(row.get(name) is not None for row in rows for name in MARKED_COLUMNS)
+    columns = COLUMNS | MARKED_COLUMNS if marked else COLUMNS
+    whole = [{name: row.get(name) for name in columns} for row in rows]
     if path.suffix.lower() == ".parquet":
-        return _parquet(whole)
+        return _parquet(columns, whole)
     text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, list(COLUMNS), lineterminator="\n")
+    writer = csv.DictWriter(text, list(columns), lineterminator="\n")
     writer.writeheader()
     writer.writerows(whole)
     return text.getvalue().encode()
 
 
-def _parquet(rows: list[Row]) -> bytes:
+def _parquet(columns: Mapping[str, type], rows: list[Row]) -> bytes:
     pyarrow = _pyarrow()
     types = {
         str: pyarrow.string(),
@@ -174,7 +176,7 @@ def _parquet(rows: list[Row]) -> bytes:
         float: pyarrow.float64(),
         bool: pyarrow.bool_(),
     }
-    schema = pyarrow.schema([(name, types[kind]) for name, kind in COLUMNS.items()])
+    schema = pyarrow.schema([(name, types[kind]) for name, kind in columns.items()])
     sink = pyarrow.BufferOutputStream()
     pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows, schema), sink)
     return bytes(sink.getvalue())

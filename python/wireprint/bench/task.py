@@ -6,7 +6,7 @@ import hashlib
 import tempfile
 import time
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,8 +15,8 @@ from wireprint._core import WireprintError
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from wireprint._core import Mesh
     from wireprint.bench.plan import Task
+    from wireprint.model import Model
     from wireprint.settings import Settings
 
 Row = dict[str, Any]
@@ -26,10 +26,10 @@ Row = dict[str, Any]
 class Job:
     """What all tasks of a run share; it travels to the workers."""
 
-    #: `Settings.model_dump` in JSON's types.
+    #: `Settings.model_dump` in JSON's types, for tasks without their own.
     settings: dict[str, Any]
-    #: Fills a row with the figures of a mesh; a function of a module that workers can import.
-    evaluate: Callable[[Mesh, Settings, Row], None]
+    #: Fills a row with the figures of a model; a function of a module that workers can import.
+    evaluate: Callable[[Model, Settings, Row], None]
     #: Whether each model is turned into the pose that is printed best.
     orient: bool = False
 
@@ -55,13 +55,13 @@ def run(job: Job, task: Task) -> Row | None:
 
 def _evaluated(job: Job, task: Task, path: Path, row: Row) -> str | None:
     """Fill in a row as far as possible; return why no further."""
-    from wireprint.mesh import load_mesh
+    from wireprint.model import load_model
     from wireprint.settings import Settings
 
     try:
-        mesh = load_mesh(path, **asdict(task.placement))
-        settings = Settings.from_mapping(job.settings)
-        job.evaluate(_turned(mesh, settings, row) if job.orient else mesh, settings, row)
+        model = load_model(path, **asdict(task.placement))
+        settings = Settings.from_mapping(task.settings or job.settings)
+        job.evaluate(_turned(model, settings, row) if job.orient else model, settings, row)
     except WireprintError as error:
         return str(error).removeprefix(f"{path}: ")
     except (KeyboardInterrupt, SystemExit):
@@ -73,13 +73,17 @@ def _evaluated(job: Job, task: Task, path: Path, row: Row) -> str | None:
     return None
 
 
-def _turned(mesh: Mesh, settings: Settings, row: Row) -> Mesh:
+def _turned(model: Model, settings: Settings, row: Row) -> Model:
     """Turn a model into its best pose, and tell the angles about x, y and z."""
+    from wireprint.hybrid.motion import motion
     from wireprint.orientation import orient
 
-    found = orient(mesh, settings)
+    found = orient(model.mesh, settings)
     row["turned_deg"] = " ".join(f"{angle:g}" for angle in found.rotate_deg)
-    return found.mesh
+    moved = model.region
+    if moved:
+        moved = moved.transformed(motion(model.mesh, found.mesh, found.rotate_deg))
+    return replace(model, mesh=found.mesh, region=moved)
 
 
 def started(task: Task) -> Row:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from wireprint.cli.options import settings_from, settings_options
+from wireprint.cli.options import Chosen, chosen_from, settings_options
 from wireprint.cli.placement import orient_option, placement_options
 from wireprint.cli.progress import Progress
 
@@ -59,7 +60,8 @@ def bench(
 
     MODELS are files, folders, glob patterns, or manifests: CSV files with a column `name` and, if
     need be, `scale` and `up_axis`. Each model becomes a row; one that fails has the reason in the
-    column `error`. A run that was stopped goes on where it was.
+    column `error`. Projects bring their settings, over which the options are laid; what is marked
+    in a 3MF file is one more condition. A run that was stopped goes on where it was.
     """
     from wireprint.bench import figures, run
     from wireprint.bench.plan import Placement, plan
@@ -67,10 +69,11 @@ def bench(
     from wireprint.bench.table import Table
     from wireprint.bench.task import Job
 
-    settings = settings_from(options).model_dump(mode="json")
+    chosen = chosen_from(options)
+    settings = chosen.settings().model_dump(mode="json")
     job = Job(settings, figures.comparison if compare else figures.certificate, orient)
     fingerprint = {"settings": settings, "compare": compare, "orient": orient}
-    tasks = plan(models, Placement(**options), fingerprint)
+    tasks = plan(models, Placement(**options), fingerprint, partial(_own_settings, chosen))
     workers = run.cluster(job, scheduler) if scheduler else run.local(job, jobs)
     with Progress(len(tasks)) as progress:
 
@@ -81,6 +84,14 @@ def bench(
         rows = run.run(tasks, Table(output), workers, retry_failed=retry_failed, on_row=show)
     found = {"results": str(output), "histogram": _histogram(rows, output), **summary(rows)}
     click.echo(json.dumps(found) if as_json else "\n".join(_lines(found)))
+
+
+def _own_settings(chosen: Chosen, path: Path) -> dict[str, Any] | None:
+    """Return a project's settings with what was chosen laid over; None for other models."""
+    from wireprint.model import project_settings
+
+    found = project_settings(path)
+    return None if found is None else chosen.over(found).model_dump(mode="json")
 
 
 def _histogram(rows: Sequence[Row], output: Path) -> str | None:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from wireprint.cli.options import settings_from, settings_options
+from wireprint.cli.marks import marks_from, marks_options
+from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.placement import placement_options
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ _BAR = 20
     metavar="NAME",
     help="Only this way to print; may be repeated.",
 )
+@marks_options
 @settings_options
 @placement_options
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table.")
@@ -47,14 +49,16 @@ def compare(
     """Tell how long a model takes as a wire print, and how long in layers.
 
     The model is sliced in every way: in solid layers with sparse infill, as a frame of its edges,
-    as a vase, on a modern fast machine, and as a wire print. Every print is timed as its printer's
-    firmware would run it. Speed-ups count from the first.
+    as a vase, on a modern fast machine, and as a wire print; where something is marked, as a wire
+    print with layers there, too. Every print is timed as its printer's firmware would run it.
+    Speed-ups count from the first.
     """
     from wireprint.comparison import compare as compared
-    from wireprint.mesh import load_mesh
 
-    settings = settings_from(options)
-    found = compared(load_mesh(model, **options), settings, conditions or None)
+    chosen, marks = chosen_from(options), marks_from(options, [model])
+    loaded = marks.load(model, options)
+    settings = chosen.of(loaded)
+    found = compared(loaded.mesh, settings, conditions or None, loaded.region)
     if output is not None:
         from wireprint import chart
         from wireprint.files import written_whole

@@ -57,7 +57,7 @@ _KEYS: dict[str, tuple[str, Any, str]] = {
 
 
 def settings_options(command: Command) -> Command:
-    """Add the options that `settings_from` understands."""
+    """Add the options that `chosen_from` understands."""
     options = [
         click.option(
             "--printer",
@@ -130,11 +130,6 @@ class Chosen:
     def over(self, settings: Settings) -> Settings:
         """Lay what was chosen over other settings, such as a project's."""
         return settings.but(self.printer, self.material, self.load, self.overrides)
-
-
-def settings_from(options: dict[str, Any]) -> Settings:
-    """Take the options of `settings_options` out of a command's own and compose the settings."""
-    return chosen_from(options).settings()
 
 
 def chosen_from(options: dict[str, Any]) -> Chosen:
