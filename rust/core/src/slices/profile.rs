@@ -116,14 +116,14 @@ impl Profile {
                 areas[kind] += area[kind];
             }
         }
-        let (mut sum, mut area, mut leaning) = (0.0, 0.0, 0.0);
-        for kind in 0..KINDS {
-            let lean = end[kind] - begin[kind];
+        let leans: Kinds = std::array::from_fn(|kind| end[kind] - begin[kind]);
+        for (sum, lean) in sums.iter_mut().zip(&leans) {
             let slope = lean / (count * step);
-            sum += sums[kind] / (1.0 + slope * slope).sqrt();
-            area += areas[kind];
-            leaning += areas[kind] * (lean.abs() / longest - 1.0).max(0.0);
+            *sum /= (1.0 + slope * slope).sqrt();
         }
+        let excess = |(area, lean): (&f64, &f64)| area * (lean.abs() / longest - 1.0).max(0.0);
+        let leaning = areas.iter().zip(&leans).map(excess).sum();
+        let (sum, area): (f64, f64) = (sums.iter().sum(), areas.iter().sum());
         (if area > 0.0 { sum / area } else { 0.0 }, leaning)
     }
 }
