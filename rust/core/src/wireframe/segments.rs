@@ -46,6 +46,15 @@ impl Run {
         }
     }
 
+    /// The place nearest to `p` on the first of the segments that come nearest; the run is the one
+    /// of this `number`.
+    fn nearest(&self, p: DVec2, number: usize) -> Near {
+        let (shares, squares) = self.places(p);
+        let first = |best: usize, i: usize| if squares[i] < squares[best] { i } else { best };
+        let i = (1..RUN).fold(0, first);
+        Near { segment: number * RUN + i, t: shares[i], square: squares[i] }
+    }
+
     /// The nearest place of each segment: its share of the length, and the square of its distance.
     fn places(&self, p: DVec2) -> (Lane, Lane) {
         let ([from_x, from_y], [along_x, along_y]) = (&self.from, &self.along);
@@ -130,30 +139,25 @@ impl Segments {
     /// comes sooner where `guess` is a segment not far away.
     #[must_use]
     pub fn nearest(&self, p: DVec2, guess: usize) -> Option<Near> {
-        let last = self.runs.len().checked_sub(1)?;
-        let (_, squares) = self.runs[(guess / RUN).min(last)].places(p);
-        let mut bound = least(&squares);
-        let mut nearest: Option<Near> = None;
+        let guess = (guess / RUN).min(self.runs.len().checked_sub(1)?);
+        let mut nearest = self.runs[guess].nearest(p, guess);
         for (group, boxes) in self.boxes.iter().enumerate() {
             let away = boxes.squares(p);
-            if least(&away) > bound * (1.0 + ROUNDING) {
+            if least(&away) > nearest.square * (1.0 + ROUNDING) {
                 continue;
             }
-            for (i, square) in away.into_iter().enumerate() {
-                if square > bound * (1.0 + ROUNDING) {
+            for (run, square) in (group * RUN..).zip(away) {
+                if square > nearest.square * (1.0 + ROUNDING) || run == guess {
                     continue;
                 }
-                let run = group * RUN + i;
-                let (shares, squares) = self.runs[run].places(p);
-                for (i, (t, square)) in shares.into_iter().zip(squares).enumerate() {
-                    if square < bound || square == bound && nearest.is_none() {
-                        bound = square;
-                        nearest = Some(Near { segment: run * RUN + i, t, square });
-                    }
+                let near = self.runs[run].nearest(p, run);
+                let is_first = near.square == nearest.square && near.segment < nearest.segment;
+                if near.square < nearest.square || is_first {
+                    nearest = near;
                 }
             }
         }
-        nearest
+        Some(nearest)
     }
 }
 
