@@ -79,7 +79,7 @@ impl Build<'_> {
         if carriers.is_empty() {
             return None;
         }
-        let walls = Walls::new(&[], 1.0);
+        let walls = Walls::new(&[], 1.0..=1.0);
         let key = self.spokes_key(spacing);
         let kept = self.guide.spokes(key, curve, z);
         let begun = kept.first().map(|first| first.post.s).filter(|_| curve.is_closed());

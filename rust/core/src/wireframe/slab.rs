@@ -24,6 +24,10 @@ const FOLLOW: f64 = 0.5;
 /// are tied.
 const LOOSE: f64 = 2.6;
 
+/// Posts are seldom lower than this part of their slab, though they stand on what lies a little
+/// above its foot.
+const LIFTED: f64 = 0.8;
+
 /// A contour to be printed at the top of a slab.
 pub struct Job {
     /// The number of its curve at the slab's top.
@@ -66,8 +70,9 @@ impl Top {
             }
             pieces = layered::take_out(&mut curves, &layers.stretches);
         }
-        let reach = head.clearance(z - sliced.levels[slab].z) * 1.1;
-        let walls = Walls::new(&curves, reach);
+        let height = z - sliced.levels[slab].z;
+        let reach = head.clearance(height) * 1.1;
+        let walls = Walls::new(&curves, head.clearance(LIFTED * height)..=reach);
         Self { slab, z, curves, pieces, walls, reach }
     }
 

@@ -1,5 +1,7 @@
 //! How near the walls of one height come to each other.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec2;
 
 use super::curve::Curve;
@@ -27,6 +29,9 @@ pub struct Walls {
     columns: usize,
     rows: usize,
     lengths: Vec<(f64, bool)>,
+    /// The contours that no other wall comes near, for any reach asked about within these bounds.
+    roomy: Vec<bool>,
+    reaches: RangeInclusive<f64>,
     /// Samples sorted by cell.
     samples: Vec<Sample>,
     /// Runs of samples, and where each cell's begin.
@@ -36,19 +41,22 @@ pub struct Walls {
 
 /// Samples along a contour lie this far apart, mm.
 const SAMPLE: f64 = 1.0;
+/// Parts of one contour count as different walls from so many times the reach on along it.
+const OWN: f64 = 2.5;
 /// The grid has at most about this many cells a side.
 const MOST_CELLS: f64 = 512.0;
 
 impl Walls {
-    /// Samples the contours; `reach` is the largest distance that will be asked about, mm.
+    /// Samples the contours; the distances that will be asked about lie within `reaches`, mm: beyond
+    /// the largest one nothing is seen, below the smallest one answers come later.
     #[must_use]
-    pub fn new(curves: &[Option<Curve>], reach: f64) -> Self {
+    pub fn new(curves: &[Option<Curve>], reaches: RangeInclusive<f64>) -> Self {
         let samples = samples(curves);
         let (low, high) = samples
             .iter()
             .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |b, s| (b.0.min(s.2), b.1.max(s.2)));
         let size = if samples.is_empty() { DVec2::ZERO } else { high - low };
-        let cell = reach.max(SAMPLE).max(size.max_element() / MOST_CELLS);
+        let cell = (reaches.end() + 0.5 * SAMPLE).max(SAMPLE).max(size.max_element() / MOST_CELLS);
         let columns = (size.x / cell) as usize + 1;
         let rows = (size.y / cell) as usize + 1;
         let lengths = curves
@@ -57,8 +65,11 @@ impl Walls {
             .collect();
         let origin = if samples.is_empty() { DVec2::ZERO } else { low };
         let (runs, begins) = (Vec::new(), Vec::new());
-        let mut walls = Self { cell, origin, columns, rows, lengths, samples, runs, begins };
+        let roomy = Vec::new();
+        let mut walls =
+            Self { cell, origin, columns, rows, lengths, roomy, reaches, samples, runs, begins };
         walls.sort();
+        walls.roomy = walls.find_roomy();
         walls
     }
 
@@ -99,6 +110,19 @@ impl Walls {
         }
     }
 
+    /// Which contours are so far from all walls that no place on them has another one within reach:
+    /// each place lies within half a step of a sample.
+    fn find_roomy(&self) -> Vec<bool> {
+        let (least, most) = (*self.reaches.start(), *self.reaches.end());
+        let (reach, own) = (most + 0.5 * SAMPLE, OWN * least - 0.5 * SAMPLE);
+        let mut roomy = vec![true; self.lengths.len()];
+        for &(wall, s, place) in &self.samples {
+            let roomy = &mut roomy[wall as usize];
+            *roomy = *roomy && self.nearest(wall as usize, s, place, reach, own).is_infinite();
+        }
+        roomy
+    }
+
     fn place(&self, p: DVec2) -> (usize, usize) {
         let at = ((p - self.origin) / self.cell).max(DVec2::ZERO);
         ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1))
@@ -109,6 +133,12 @@ impl Walls {
         row * self.columns + column
     }
 
+    /// Whether [`Self::gap`] is infinite all along a contour.
+    #[must_use]
+    pub fn is_roomy(&self, wall: usize, reach: f64) -> bool {
+        self.reaches.contains(&reach) && self.roomy.get(wall).is_some_and(|&roomy| roomy)
+    }
+
     /// Distance from `place`, at arc length `s` of contour `wall`, to the nearest other wall: another
     /// contour, or a part of its own that is more than 2½ times `reach` away along it. Distances
     /// beyond `reach` come back as infinity, and so do those of a wall that is not listed.
@@ -116,6 +146,12 @@ impl Walls {
     pub fn gap(&self, wall: usize, s: f64, place: DVec2, reach: f64) -> f64 {
         let Some(&(length, closed)) = self.lengths.get(wall) else { return f64::INFINITY };
         let s = if closed { s.rem_euclid(length) } else { s };
+        self.nearest(wall, s, place, reach, OWN * reach)
+    }
+
+    /// As [`Self::gap`], with parts of the same contour left out that are up to `own` mm away along
+    /// it.
+    fn nearest(&self, wall: usize, s: f64, place: DVec2, reach: f64, own: f64) -> f64 {
         let (column, row) = self.place(place);
         let columns = column.saturating_sub(1)..(column + 2).min(self.columns);
         let mut nearest = reach * reach;
@@ -124,13 +160,12 @@ impl Walls {
             let begin = self.begins[row * self.columns + columns.start];
             let end = self.begins[row * self.columns + columns.end];
             for run in &self.runs[begin..end] {
-                if run.wall == wall && self.is_beside(run, s, 2.5 * reach) {
+                if run.wall == wall && self.is_beside(run, s, own) {
                     continue;
                 }
                 for &(other, at, p) in &self.samples[run.begin..run.end] {
                     let square = p.distance_squared(place);
-                    if square < nearest
-                        && (other as usize != wall || self.apart(wall, s, at) > 2.5 * reach)
+                    if square < nearest && (other as usize != wall || self.apart(wall, s, at) > own)
                     {
                         nearest = square;
                     }

@@ -109,6 +109,9 @@ pub fn zigzag(
 /// to the clearance.
 fn crowd(input: &ZigzagInput, start: f64, all: &mut [Candidate], least: f64) -> f64 {
     let mut nearest = f64::INFINITY;
+    if input.walls.is_roomy(input.wall, least) {
+        return nearest;
+    }
     for c in all {
         let place: DVec2 = c.post.peak.truncate();
         let gap = input.walls.gap(input.wall, start + c.post.s, place, least);
