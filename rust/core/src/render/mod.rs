@@ -27,8 +27,6 @@ pub use image::{Frame, Image};
 pub use scene::{Facet, Rgb, Scene, Stroke, Width};
 pub use strands::Strands;
 
-use rayon::prelude::*;
-
 use crate::error::{CoreError, Result};
 
 /// Renders `scene` as `camera` sees it, fitted to the frame.
@@ -66,7 +64,7 @@ pub fn thumbnails(
     };
     let frames: Vec<Frame> = sizes.iter().map(frame).collect();
     frames.iter().try_for_each(Frame::check)?;
-    thumbnail::paint_all(scene, camera, &frames).par_iter().map(Image::thumbnail_png).collect()
+    thumbnail::files(scene, camera, &frames)
 }
 
 fn check(scene: &Scene, camera: &Camera) -> Result<()> {

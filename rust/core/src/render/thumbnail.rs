@@ -12,6 +12,7 @@ use super::shade::Shader;
 use super::shrink::{can_shrink, shrink};
 use super::soft::{Block, LANES, ROW, SoftStroke};
 use super::tiles::{SIDE, Tiles, touched};
+use crate::error::Result;
 
 /// Strokes that a thread takes at a time: fewer are not worth waking it.
 const FEWEST: usize = 1024;
@@ -24,19 +25,31 @@ struct Canvas<'a> {
     frame: &'a Frame,
 }
 
-/// Pictures of a scene's strokes in frames; a much smaller one is a larger one, scaled down.
-pub(super) fn paint_all(scene: &Scene, camera: &Camera, frames: &[Frame]) -> Vec<Image> {
-    let mut order: Vec<usize> = (0..frames.len()).collect();
-    order.sort_by_key(|i| Reverse(frames[*i].width));
-    let mut images: Vec<(usize, Image)> = Vec::new();
-    for i in order {
-        let (frame, Frame { width, height, .. }) = (&frames[i], frames[i]);
-        let larger = images.iter().map(|(_, image)| image).find(|l| can_shrink(l, width, height));
-        let shrunk = larger.map(|larger| shrink(larger, width, height));
-        images.push((i, shrunk.unwrap_or_else(|| paint(scene, camera, frame))));
+/// Small PNG files of a scene's strokes; a much smaller picture is a larger one, scaled down.
+pub(super) fn files(scene: &Scene, camera: &Camera, frames: &[Frame]) -> Result<Vec<Vec<u8>>> {
+    let mut largest_first: Vec<&Frame> = frames.iter().collect();
+    largest_first.sort_by_key(|frame| Reverse(frame.width));
+    let mut painted: Vec<Image> = Vec::new();
+    for frame in largest_first {
+        if source(&painted, frame).is_none() {
+            painted.push(paint(scene, camera, frame));
+        }
     }
-    images.sort_by_key(|(i, _)| *i);
-    images.into_iter().map(|(_, image)| image).collect()
+    let file = |frame: &Frame| match source(&painted, frame) {
+        Some(image) if image.width == frame.width => image.thumbnail_png(),
+        Some(larger) => shrink(larger, frame.width, frame.height).thumbnail_png(),
+        None => paint(scene, camera, frame).thumbnail_png(),
+    };
+    frames.par_iter().map(file).collect()
+}
+
+/// The picture that fills a frame or that can be scaled down to it.
+fn source<'a>(painted: &'a [Image], frame: &Frame) -> Option<&'a Image> {
+    let Frame { width, height, .. } = *frame;
+    let fits = |image: &&Image| {
+        (image.width, image.height) == (width, height) || can_shrink(image, width, height)
+    };
+    painted.iter().find(fits)
 }
 
 /// Paints a scene's strokes, one band of tiles per task.
