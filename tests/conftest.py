@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from wireprint import examples
+
 # A busy machine makes no test wrong.
 # CI takes the same examples at every run: what it refuses, it refuses for a reason in the change.
 settings.register_profile("patient", deadline=None, derandomize="CI" in os.environ)
@@ -30,6 +32,22 @@ def shared():
     if not folder.is_dir():
         pytest.skip(f"{folder} is absent; set WIREPRINT_SHARED")
     return folder
+
+
+@pytest.fixture
+def cube(tmp_path):
+    """A cube of 28 mm as a file of the test's own."""
+    model = tmp_path / "cube.stl"
+    model.write_bytes(examples.stl("cube"))
+    return model
+
+
+@pytest.fixture(scope="session")
+def cube_stl(tmp_path_factory):
+    """The same as a file that no test may change."""
+    model = tmp_path_factory.mktemp("models") / "cube.stl"
+    model.write_bytes(examples.stl("cube"))
+    return model
 
 
 @pytest.fixture(scope="session")

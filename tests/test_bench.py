@@ -26,13 +26,6 @@ from wireprint.bench.table import COLUMNS, Table
 
 
 @pytest.fixture
-def cube(tmp_path):
-    model = tmp_path / "cube.stl"
-    model.write_bytes(examples.stl("cube"))
-    return model
-
-
-@pytest.fixture
 def cubes(tmp_path, cube):
     """Return a manifest of eight cubes, 10 to 17 mm wide."""
     manifest = tmp_path / "manifest.csv"

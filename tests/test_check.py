@@ -8,12 +8,12 @@ import re
 import numpy as np
 import pytest
 import trimesh
-from click.testing import CliRunner
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import wireprint
-from wireprint import GcodeError, Settings, cli
+from command import run
+from wireprint import GcodeError, Settings
 from wireprint._core import Mesh, coverage, deviation
 from wireprint.certificate import settings_for
 
@@ -233,10 +233,6 @@ def test_arrays_of_the_verdict_are_read_only():
     assert core.relaxed.shape[1:] == (2, 3)
     for array in (core.strands, core.relaxed, core.strand_lines, core.strand_features):
         assert not array.flags.writeable
-
-
-def run(*arguments):
-    return CliRunner().invoke(cli.main, [str(argument) for argument in arguments])
 
 
 def test_the_command_exits_with_0_for_a_printable_file(tmp_path):

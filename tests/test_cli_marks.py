@@ -5,25 +5,12 @@ import subprocess
 import sys
 
 import pytest
-from click.testing import CliRunner
 
+from command import run
 from threemf_files import cube_object, write_3mf
-from wireprint import examples
-from wireprint.cli import main
 from wireprint.model import load_model
 from wireprint.regions import Box, HalfSpace, Mark, Region, Sphere, ZRange, document, grammar
 from wireprint.settings import Settings
-
-
-def run(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
-
-
-@pytest.fixture(scope="module")
-def cube(tmp_path_factory):
-    path = tmp_path_factory.mktemp("models") / "cube.stl"
-    path.write_bytes(examples.stl("cube"))
-    return path
 
 
 @pytest.mark.parametrize(
@@ -60,20 +47,20 @@ def test_a_mark_is_written_in_a_few_words(text, mark):
         ("erase:erase:z:..", "a mark is one of"),
     ],
 )
-def test_a_mark_that_makes_no_sense_is_a_usage_error(text, complaint, cube, tmp_path):
-    result = run("slice", cube, "-o", tmp_path / "x.gcode", "--fill", text)
+def test_a_mark_that_makes_no_sense_is_a_usage_error(text, complaint, cube_stl, tmp_path):
+    result = run("slice", cube_stl, "-o", tmp_path / "x.gcode", "--fill", text)
     assert result.exit_code == 2
     assert f"'--fill': {text}" in result.stderr
     assert complaint in result.stderr
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_project_holds_what_the_options_say(cube, tmp_path):
+def test_a_project_holds_what_the_options_say(cube_stl, tmp_path):
     path, strokes = tmp_path / "x.3mf", tmp_path / "strokes.json"
     region = Region().add(Sphere(centre_mm=(0, 0, 28), radius_mm=9))
     strokes.write_bytes(document.to_json(region))
     options = ["--fill-file", strokes, "--fill", "z:..9", "--fill", "erase:z:..3"]
-    result = run("project", cube, "-o", path, *options, "--slab-max", 4, "--material", "pla")
+    result = run("project", cube_stl, "-o", path, *options, "--slab-max", 4, "--material", "pla")
     assert result.exit_code == 0, result.stderr
     assert result.stdout == f"{path}: cube.stl with 3 marks\n"
     model = load_model(path)
@@ -88,19 +75,19 @@ def test_a_project_holds_what_the_options_say(cube, tmp_path):
     assert more.settings == model.settings.but(overrides=["wire.slab_max_mm=5"])
 
 
-def test_a_project_is_sliced_as_model_marks_and_settings_are(cube, tmp_path, monkeypatch):
+def test_a_project_is_sliced_as_model_marks_and_settings_are(cube_stl, tmp_path, monkeypatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "0")
     options = ["--fill", "z:8..16", "--slab-max", 4]
     project, one, other = (tmp_path / name for name in ("x.3mf", "one.gcode", "other.gcode"))
-    assert run("project", cube, "-o", project, *options).exit_code == 0
-    assert run("slice", cube, "-o", one, *options).exit_code == 0
+    assert run("project", cube_stl, "-o", project, *options).exit_code == 0
+    assert run("slice", cube_stl, "-o", one, *options).exit_code == 0
     result = run("slice", project, "-o", other, "--json")
     assert result.exit_code == 0, result.stderr
     assert other.read_bytes() == one.read_bytes()
     assert json.loads(result.stdout)["regions"]
     options = ["--fill", "erase:z:..", "--slab-max", 6]
     assert run("slice", project, "-o", other, *options).exit_code == 0
-    assert run("slice", cube, "-o", one, "--slab-max", 6).exit_code == 0
+    assert run("slice", cube_stl, "-o", one, "--slab-max", 6).exit_code == 0
     assert other.read_bytes() == one.read_bytes()
 
 
@@ -120,32 +107,32 @@ def test_a_painted_model_is_marked_by_itself_and_marks_others(tmp_path):
         assert str(tmp_path) in result.stderr
 
 
-def test_a_file_of_marks_that_cannot_be_read_is_named(cube, tmp_path):
+def test_a_file_of_marks_that_cannot_be_read_is_named(cube_stl, tmp_path):
     (tmp_path / "strokes.json").write_text('{"marks": [{"shape": {"kind": "cone"}}]}')
     for name, code in (("strokes.json", 4), ("missing.json", 4), ("missing.3mf", 3)):
-        result = run("slice", cube, "-o", tmp_path / "x.gcode", "--fill-file", tmp_path / name)
+        result = run("slice", cube_stl, "-o", tmp_path / "x.gcode", "--fill-file", tmp_path / name)
         assert result.exit_code == code
         assert f"wireprint: error: {tmp_path / name}" in result.stderr
     assert not (tmp_path / "x.gcode").exists()
 
 
 @pytest.mark.parametrize("option", ["--fill-state", "--fill-set"])
-def test_paint_is_not_chosen_where_there_can_be_none(option, cube, tmp_path):
-    result = run("slice", cube, "-o", tmp_path / "x.gcode", option, "1", "--fill", "z:..")
+def test_paint_is_not_chosen_where_there_can_be_none(option, cube_stl, tmp_path):
+    result = run("slice", cube_stl, "-o", tmp_path / "x.gcode", option, "1", "--fill", "z:..")
     assert result.exit_code == 2
     assert f"{option} needs a 3MF file" in result.stderr
 
 
-def test_a_projects_name_must_say_what_it_is(cube, tmp_path):
-    result = run("project", cube, "-o", tmp_path / "x.stl")
+def test_a_projects_name_must_say_what_it_is(cube_stl, tmp_path):
+    result = run("project", cube_stl, "-o", tmp_path / "x.stl")
     assert result.exit_code == 2
     assert "ends in .3mf" in result.stderr
 
 
-def test_nothing_of_marks_is_imported_where_nothing_is_marked(cube, tmp_path):
+def test_nothing_of_marks_is_imported_where_nothing_is_marked(cube_stl, tmp_path):
     code = (
         "import sys\nfrom wireprint.cli import main\n"
-        f"try:\n    main(['slice', {str(cube)!r}, '-o', {str(tmp_path / 'x.gcode')!r}, '-q'])\n"
+        f"try:\n    main(['slice', {str(cube_stl)!r}, '-o', {str(tmp_path / 'x.gcode')!r}, '-q'])\n"
         "except SystemExit as end:\n    assert not end.code\n"
         "names = {'regions', 'threemf', 'model', 'project', 'hybrid'}\n"
         "found = {name.split('.')[1] for name in sys.modules if name.startswith('wireprint.')}\n"

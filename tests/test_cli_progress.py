@@ -5,10 +5,6 @@ import pty
 import subprocess
 import sys
 
-import pytest
-
-from wireprint import examples
-
 CODE = """
 import sys, time
 from wireprint.cli import main, progress
@@ -21,13 +17,6 @@ def slow(*arguments):
 wireprint.stages.wireframe = slow
 main()
 """
-
-
-@pytest.fixture
-def cube(tmp_path):
-    model = tmp_path / "cube.stl"
-    model.write_bytes(examples.stl("cube"))
-    return model
 
 
 def stderr_of_slow_run(model, patience_s):

@@ -7,9 +7,9 @@ import subprocess
 import sys
 
 import pytest
-from click.testing import CliRunner
 
-from wireprint import cli, examples
+from command import run
+from wireprint import examples
 from wireprint.certificate import check
 from wireprint.gcode import document
 from wireprint.mesh import load_mesh
@@ -39,17 +39,6 @@ KEYS = {
     "warnings": list,
     "timings_s": dict,
 }
-
-
-def run(*arguments):
-    return CliRunner().invoke(cli.main, [str(argument) for argument in arguments])
-
-
-@pytest.fixture
-def cube(tmp_path):
-    model = tmp_path / "cube.stl"
-    model.write_bytes(examples.stl("cube"))
-    return model
 
 
 @pytest.fixture

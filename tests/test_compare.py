@@ -6,16 +6,8 @@ import pytest
 from click.testing import CliRunner
 
 import wireprint
-from wireprint import examples
 from wireprint.cli import main
 from wireprint.comparison import CONDITIONS
-
-
-@pytest.fixture(scope="module")
-def cube_stl(tmp_path_factory):
-    path = tmp_path_factory.mktemp("compare") / "cube.stl"
-    path.write_bytes(examples.stl("cube"))
-    return path
 
 
 @pytest.fixture(scope="module")

@@ -8,17 +8,16 @@ import re
 import numpy as np
 import pytest
 import trimesh
-from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
+from command import run
 from test_regions import region_of, shapes
 from test_view import hue_share
 from test_view_html import data_of, decoded
-from wireprint import examples, view
+from wireprint import view
 from wireprint._core import Mesh
-from wireprint.cli import main
 from wireprint.model import Model
 from wireprint.regions import Box, Region, Sphere, ZRange
 from wireprint.regions.surface import marked_surface
@@ -112,25 +111,14 @@ def test_a_page_is_seen_first_from_where_the_camera_is(camera, degrees):
 # --- the command
 
 
-def run(*arguments):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments])
-
-
-@pytest.fixture(scope="module")
-def cube(tmp_path_factory):
-    path = tmp_path_factory.mktemp("models") / "cube.stl"
-    path.write_bytes(examples.stl("cube"))
-    return path
-
-
 MARKS = ("--fill", "z:8..16", "--fill", "erase:half:1,0,0,0")
 
 
-def test_info_tells_what_is_marked(cube, tmp_path):
+def test_info_tells_what_is_marked(cube_stl, tmp_path):
     project = tmp_path / "x.3mf"
-    assert run("project", cube, "-o", project, *MARKS).exit_code == 0
+    assert run("project", cube_stl, "-o", project, *MARKS).exit_code == 0
     share = 8 * 28 * 2 / (6 * 28**2)
-    for arguments in ((project,), (cube, *MARKS)):
+    for arguments in ((project,), (cube_stl, *MARKS)):
         found = json.loads(run("info", *arguments, "--json").stdout)["marks"]
         assert found["kinds"] == {"z": 1, "half": 1}
         assert found["erase"] == 1
@@ -142,17 +130,17 @@ def test_info_tells_what_is_marked(cube, tmp_path):
     assert told[3] == "(1 × z, 1 × half; 1 of these erase)"
 
 
-def test_info_of_a_plain_model_tells_of_no_marks(cube):
-    assert json.loads(run("info", cube, "--json").stdout)["marks"] is None
-    assert "marked" not in run("info", cube).stdout
+def test_info_of_a_plain_model_tells_of_no_marks(cube_stl):
+    assert json.loads(run("info", cube_stl, "--json").stdout)["marks"] is None
+    assert "marked" not in run("info", cube_stl).stdout
 
 
-def test_view_draws_marks_of_a_project_and_of_options_alike(cube, tmp_path):
+def test_view_draws_marks_of_a_project_and_of_options_alike(cube_stl, tmp_path):
     project = tmp_path / "x.3mf"
-    assert run("project", cube, "-o", project, *MARKS).exit_code == 0
+    assert run("project", cube_stl, "-o", project, *MARKS).exit_code == 0
     for name in ("a.png", "b.html"):
         drawn = []
-        for arguments in ((project,), (cube, *MARKS)):
+        for arguments in ((project,), (cube_stl, *MARKS)):
             # The title is the model's name, so the project goes by that name, too.
             model = tmp_path / "model" / f"m{arguments[0].suffix}"
             model.parent.mkdir(exist_ok=True)
@@ -161,7 +149,7 @@ def test_view_draws_marks_of_a_project_and_of_options_alike(cube, tmp_path):
             assert done.exit_code == 0, done.stderr
             drawn.append((tmp_path / name).read_bytes().replace(b"m.3mf", b"m.stl"))
         assert drawn[0] == drawn[1]
-        assert run("view", cube, "-o", tmp_path / name, "--size", "300x200").exit_code == 0
+        assert run("view", cube_stl, "-o", tmp_path / name, "--size", "300x200").exit_code == 0
         assert (tmp_path / name).read_bytes() != drawn[1]
 
 

@@ -6,10 +6,10 @@ import sys
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from PIL import Image
 
-from wireprint import cli, examples, view
+from command import run
+from wireprint import examples, view
 from wireprint._core import GcodeError, Scene, SettingError, Strands
 from wireprint.gcode.document import moves
 from wireprint.mesh import load_mesh
@@ -259,10 +259,6 @@ def test_pictures_are_the_same_on_any_number_of_threads_and_need_no_numpy():
     one, four = hashes("1"), hashes("4")
     assert len(one) == 3
     assert one == four
-
-
-def run(*arguments):
-    return CliRunner().invoke(cli.main, [str(a) for a in arguments])
 
 
 @pytest.fixture

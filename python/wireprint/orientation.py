@@ -120,10 +120,8 @@ def orient(mesh: Mesh, settings: Settings) -> Orientation:
 
     Parameters
     ----------
-    mesh
-        The model, placed.
-    settings
-        Printer, material and way of wiring.
+    mesh, settings
+        See `wireprint.make`.
 
     Returns
     -------

@@ -20,6 +20,11 @@ if TYPE_CHECKING:
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
 Millimetres = Annotated[float, Field(gt=0, le=2000)]
+LayerHeight = Annotated[float, Field(gt=0, le=2)]
+PrintSpeed = Annotated[float, Field(gt=0, le=1000)]
+TravelSpeed = Annotated[float, Field(gt=0, le=2000)]
+#: mm³/s; None: the printer's.
+Flow = Annotated[float, Field(gt=0, le=500)] | None
 Pixels = Annotated[int, Field(ge=8, le=2000)]
 PerAxis = Annotated[tuple[Positive, Positive, Positive, Positive], Field(description="X, Y, Z, E")]
 
@@ -338,7 +343,7 @@ class Wire(Section):
 class LayerProfile(Section):
     """How the slicer that wire prints are compared with prints layers."""
 
-    layer_height_mm: float = Field(0.2, gt=0, le=2, description="with 0.7 mm: the paper's times")
+    layer_height_mm: LayerHeight = Field(0.2, description="with 0.7 mm: the paper's times")
     width_ratio: float = Field(
         1.125, ge=0.5, le=2, description="line width by nozzle; PrusaSlicer's automatic width"
     )
@@ -370,12 +375,10 @@ class LayerProfile(Section):
     resolution_mm: float = Field(
         0.02, ge=0, le=1, description="by which simplified contours stray; a tenth of a layer"
     )
-    print_mm_s: float = Field(40.0, gt=0, le=1000, description="reproduces the paper's 24:59")
-    first_layer_mm_s: float = Field(30.0, gt=0, le=1000, description="PrusaSlicer's default")
-    travel_mm_s: float = Field(150.0, gt=0, le=2000, description="at most the machine's limit")
-    max_flow_mm3_s: float | None = Field(
-        None, gt=0, le=500, description="what the hot end melts; None: the printer's"
-    )
+    print_mm_s: PrintSpeed = Field(40.0, description="reproduces the paper's 24:59")
+    first_layer_mm_s: PrintSpeed = Field(30.0, description="PrusaSlicer's default")
+    travel_mm_s: TravelSpeed = Field(150.0, description="at most the machine's limit")
+    max_flow_mm3_s: Flow = Field(None, description="what the hot end melts; None: the printer's")
 
 
 class Regions(LayerProfile):
@@ -398,13 +401,11 @@ class Regions(LayerProfile):
 class FastProfile(LayerProfile):
     """A modern machine in a hurry; speeds as in Bambu Lab's profiles for its X1 and P1."""
 
-    layer_height_mm: float = Field(0.3, gt=0, le=2, description="coarse for a 0.4 mm nozzle")
-    print_mm_s: float = Field(270.0, gt=0, le=1000, description="as far as the hot end melts")
-    first_layer_mm_s: float = Field(50.0, gt=0, le=1000)
-    travel_mm_s: float = Field(500.0, gt=0, le=2000)
-    max_flow_mm3_s: float | None = Field(
-        20.0, gt=0, le=500, description="a high-flow hot end; None: the printer's"
-    )
+    layer_height_mm: LayerHeight = Field(0.3, description="coarse for a 0.4 mm nozzle")
+    print_mm_s: PrintSpeed = Field(270.0, description="as far as the hot end melts")
+    first_layer_mm_s: PrintSpeed = 50.0
+    travel_mm_s: TravelSpeed = 500.0
+    max_flow_mm3_s: Flow = Field(20.0, description="a high-flow hot end; None: the printer's")
     printer: str = Field("voron-2.4", description="profile of the CoreXY that it runs on")
     max_velocity_mm_s: Positive = Field(500.0, description="in place of that profile's")
     max_accel_mm_s2: Positive = Field(10000.0, description="in place of that profile's")

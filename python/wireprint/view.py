@@ -149,10 +149,8 @@ def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
 
     Parameters
     ----------
-    toolpath
-        The moves.
-    settings
-        The settings that they were made with.
+    toolpath, settings
+        See `wireprint.pipeline.to_gcode`.
     """
     from wireprint.gcode.flavors import KINDS
 
@@ -333,20 +331,12 @@ def render_html(
 
     Parameters
     ----------
-    source
-        A G-code or model file, strands, a mesh, or a model with marks.
+    source, kinds, travels, breaches, title
+        See `render_png`; here kinds and travels can be switched on and off.
     path
         HTML file to write; none by default.
-    kinds
-        Kinds of strands that can be shown; all but the start code's by default.
-    travels
-        Whether moves without extrusion can be shown.
-    breaches
-        Points (x, y, z) in mm that are marked in red.
     camera
         From where it is seen first, see `render_png`; in perspective always.
-    title
-        Headline; the file's name by default.
 
     Returns
     -------
