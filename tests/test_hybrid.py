@@ -226,6 +226,19 @@ def test_what_could_only_hang_stays_hollow_and_is_named(models):
     assert all(part["help"] and part["volume_mm3"] > 0 for part in report["hollow"])
 
 
+def test_a_lid_is_closed_once_where_layers_lie_below_it(models):
+    made = printed(models("cube"), Box(low_mm=(0, -20, 12), high_mm=(20, 0, 40)))
+    assert made.certificate.ok
+    top = strands(made, CAP)
+    middle = top[top[..., 2].min(axis=1) == 28].mean(axis=1)
+    assert len(middle) > 4
+    assert not ((middle[:, 0] > 1) & (middle[:, 1] < -1)).any()
+    closed = strands(made, FILL)
+    closed = closed[closed[..., 2].min(axis=1) == 28]
+    area = np.linalg.norm(closed[:, 1] - closed[:, 0], axis=1).sum() * 0.7
+    assert area == pytest.approx(14 * 14, rel=0.15)
+
+
 def test_paint_has_no_inside(models):
     import trimesh
 

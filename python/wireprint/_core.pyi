@@ -410,7 +410,14 @@ class _WireParams(TypedDict):
     span_limit_mm: float
     free_end_limit_mm: float
 
-class _Layered(TypedDict):
+class _Lids(TypedDict):
+    #: Closed rings, and the slab of each: what lies within an odd number of those of a slab, the
+    #: last layer there fills behind walls.
+    lid_slabs: npt.NDArray[np.int64]
+    lid_points: npt.NDArray[np.float64]
+    lid_offsets: npt.NDArray[np.int64]
+
+class _Layered(_Lids):
     strips: npt.NDArray[np.int64]
     stretches: npt.NDArray[np.int64]
     stretch_spans: npt.NDArray[np.float64]

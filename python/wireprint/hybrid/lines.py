@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 _WALLED = 0.5
 #: … nor do those shorter than this many line widths.
 _SHORTEST = 1.5
+#: What is closed reaches beyond the outer wall by this part of a line's width.
+_BEYOND = 0.1
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,8 @@ class Laid:
 
     route: Route
     depth: Depth
+    #: What the last layer of each slab closes, walls included, shape (K,); empty for the others.
+    lids: Geometries
 
 
 def lay(
@@ -74,7 +78,8 @@ def lay(
         *_behind(deep, edge, areas, recipe),
     ]
     groups = [group for group in groups if len(group.lines)]
-    return Laid(_routed(groups, cut.z, recipe) if groups else Route.empty(), deep)
+    route = _routed(groups, cut.z, recipe) if groups else Route.empty()
+    return Laid(route, deep, _lids(cut, deep, edge, recipe))
 
 
 def _routed(groups: list[Group], z: Floats, recipe: Recipe) -> Route:
@@ -151,6 +156,19 @@ def _depth(
     ground: Geometries = np.full(len(areas), inside.bed, dtype=object)
     ground[1:] = solid[:-1]
     return depth(marked, inside, ground, edge.innermost, recipe)
+
+
+def _lids(cut: Cut, deep: Depth, edge: Fringe, recipe: Recipe) -> Geometries:
+    """Return what the last layers of slabs close: what they fill, and the walls before it."""
+    found: Geometries = np.full(len(cut.z), shapely.MultiPolygon(), dtype=object)
+    last = np.flatnonzero(cut.is_last() & ~shapely.is_empty(deep.filled))
+    filled, walled = deep.filled[last], edge.innermost[last]
+    reach_mm = edge.inward_mm + _BEYOND * recipe.width_mm
+    walled = shapely.intersection(
+        shapely.buffer(filled, reach_mm), shapely.buffer(walled, reach_mm)
+    )
+    found[last] = shapely.union(filled, walled)
+    return found
 
 
 def _behind(deep: Depth, edge: Fringe, areas: Geometries, recipe: Recipe) -> list[Group]:

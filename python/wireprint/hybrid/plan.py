@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
-    from wireprint._core import Mesh, Wireframe, _Layered
+    from wireprint._core import Mesh, Wireframe, _Layered, _Lids
     from wireprint.layerwise.areas import Geometries
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -180,6 +180,18 @@ class Plan:
         """Volume behind the walls of contours that are painted in part, that is filled."""
         return float(np.sum(shapely.area(self.laid.depth.filled) * self.cut.thickness))
 
+    def _lids(self) -> _Lids:
+        """Return the rings around what the last layers of slabs close."""
+        parts, layer = shapely.get_parts(self.laid.lids, return_index=True)
+        rings, part = shapely.get_rings(parts, return_index=True)
+        points, ring = shapely.get_coordinates(rings, return_index=True)
+        sizes = np.bincount(ring, minlength=len(rings))
+        return {
+            "lid_slabs": self.cut.slab[layer[part]],
+            "lid_points": points,
+            "lid_offsets": np.concatenate([[0], np.cumsum(sizes)]),
+        }
+
     def layered(self) -> _Layered | None:
         """Return what the core needs to know; None where nothing is layers."""
         printer, recipe, lines = self.settings.printer, self.recipe, self.laid.route
@@ -202,6 +214,7 @@ class Plan:
             "flats": self.flats.points,
             "flats_marked": self.flats.marked,
             "line_inside": lines.group > 0,
+            **self._lids(),
         }
 
 

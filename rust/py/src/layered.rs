@@ -1,6 +1,8 @@
 //! Layers on both sides of the border: their cuts for Python, their lines for the core.
 
-use glam::DVec3;
+use std::ops::Range;
+
+use glam::{DVec2, DVec3};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -26,6 +28,9 @@ pub struct LayeredArgs<'py> {
     flats: PyReadonlyArray2<'py, f64>,
     flats_marked: PyReadonlyArray1<'py, bool>,
     line_inside: PyReadonlyArray1<'py, bool>,
+    lid_slabs: PyReadonlyArray1<'py, i64>,
+    lid_points: PyReadonlyArray2<'py, f64>,
+    lid_offsets: PyReadonlyArray1<'py, i64>,
 }
 
 impl LayeredArgs<'_> {
@@ -54,6 +59,10 @@ impl LayeredArgs<'_> {
             let (number, line) = self.line(line)?;
             slab(&mut layered, "line_slabs", number)?.lines.push(line);
         }
+        for lid in 0..self.lid_slabs.len() {
+            let ring = self.lid(lid)?;
+            slab(&mut layered, "lid_slabs", self.lid_slabs.as_array()[lid])?.lids.push(ring);
+        }
         let flats = self.flats.as_array();
         let flats = flats.rows().into_iter().map(|row| DVec3::new(row[0], row[1], row[2]));
         layered.flats = flats.zip(self.flats_marked.as_array().iter().copied()).collect();
@@ -68,6 +77,7 @@ impl LayeredArgs<'_> {
             ("stretch_spans", self.stretch_spans.shape()[1], 2),
             ("points", self.points.shape()[1], 3),
             ("flats", self.flats.shape()[1], 3),
+            ("lid_points", self.lid_points.shape()[1], 2),
         ];
         if let Some((name, found, wanted)) = columns.iter().find(|(_, a, b)| a != b) {
             return Err(wrong(name, &format!("of {wanted} columns, not {found}")));
@@ -78,6 +88,7 @@ impl LayeredArgs<'_> {
             ("flats_marked", self.flats_marked.len(), self.flats.shape()[0]),
             ("line_inside", self.line_inside.len(), lines),
             ("offsets", self.offsets.len(), lines + 1),
+            ("lid_offsets", self.lid_offsets.len(), self.lid_slabs.len() + 1),
         ];
         if let Some((name, found, wanted)) = lengths.iter().find(|(_, a, b)| a != b) {
             return Err(wrong(name, &format!("of length {wanted}, not {found}")));
@@ -85,15 +96,21 @@ impl LayeredArgs<'_> {
         Ok(())
     }
 
-    fn line(&self, number: usize) -> PyResult<(i64, Line)> {
-        let (offsets, points) = (self.offsets.as_array(), self.points.as_array());
-        let begin = index("offsets", offsets[number])?;
-        let end = index("offsets", offsets[number + 1])?;
-        if begin > end || end > points.nrows() {
-            return Err(wrong("offsets", "ascending, up to the number of points"));
+    fn lid(&self, number: usize) -> PyResult<Vec<DVec2>> {
+        let points = self.lid_points.as_array();
+        let rows = rows("lid_offsets", &self.lid_offsets, number, points.nrows())?;
+        let ring: Vec<DVec2> = rows.map(|i| DVec2::new(points[[i, 0]], points[[i, 1]])).collect();
+        if !ring.iter().all(|p| p.is_finite()) {
+            return Err(wrong("lid_points", "finite"));
         }
+        Ok(ring)
+    }
+
+    fn line(&self, number: usize) -> PyResult<(i64, Line)> {
+        let points = self.points.as_array();
+        let rows = rows("offsets", &self.offsets, number, points.nrows())?;
         let point = |i: usize| DVec3::new(points[[i, 0]], points[[i, 1]], points[[i, 2]]);
-        let points: Vec<DVec3> = (begin..end).map(point).collect();
+        let points: Vec<DVec3> = rows.map(point).collect();
         let flow = self.line_flows.as_array()[number];
         if !(flow.is_finite() && flow >= 0.0 && points.iter().all(|p| p.is_finite())) {
             return Err(wrong("points and line_flows", "finite, flows not negative"));
@@ -101,6 +118,21 @@ impl LayeredArgs<'_> {
         let inside = self.line_inside.as_array()[number];
         Ok((self.line_slabs.as_array()[number], Line { points, flow, inside }))
     }
+}
+
+/// The rows that offsets give to one of many.
+fn rows(
+    name: &str,
+    offsets: &PyReadonlyArray1<i64>,
+    number: usize,
+    count: usize,
+) -> PyResult<Range<usize>> {
+    let offsets = offsets.as_array();
+    let (begin, end) = (index(name, offsets[number])?, index(name, offsets[number + 1])?);
+    if begin > end || end > count {
+        return Err(wrong(name, "ascending, up to the number of points"));
+    }
+    Ok(begin..end)
 }
 
 /// The slab of a number, made if the list is too short.

@@ -40,6 +40,8 @@ pub struct LayeredSlab {
     pub stretches: Vec<Stretch>,
     /// Lines in printing order, the lowest first.
     pub lines: Vec<Line>,
+    /// Closed rings: what lies within an odd number of them, the last layer fills behind walls.
+    pub lids: Vec<Vec<DVec2>>,
 }
 
 /// What is layers in a wire print; slab by slab from the bed, none beyond the list's end.

@@ -10,6 +10,7 @@ use super::curve::Curve;
 use super::hang::LEDGE;
 use super::hatch::hatch;
 use super::layered::closed_rim;
+use super::lids::outside;
 use super::rim::{Footing, Rim};
 use super::strips::Strip;
 use super::{Kind, Reason};
@@ -20,6 +21,9 @@ use crate::slices::heights::Level;
 const LIFT: f64 = 0.4;
 /// Faces this near to a level lie in it, mm.
 const FLAT: f64 = 0.05;
+
+/// What is left of a cap's strand beside layers is at least so many strands long.
+const LEAST: f64 = 2.0;
 
 /// A strand's end this near to a rim, as a part of the strand's diameter, lies on it.
 pub const HELD: f64 = 0.25;
@@ -189,8 +193,11 @@ impl Build<'_> {
         let held = |end: DVec2| whole || footing.holds(end, HELD * self.p.strand);
         let (spacing, kind) = self.lid(&plan, level);
         let (lines, dropped) = hatch(&plan, spacing, longest, held);
+        let layers = level.checked_sub(1).and_then(|slab| self.layered.slab(slab));
+        let lids = layers.map_or(&[][..], |layers| &layers.lids);
         let rims: Vec<Rim> = lines
-            .into_iter()
+            .iter()
+            .flat_map(|line| outside(line, lids, LEAST * self.p.strand))
             .map(|line| Rim::line(line.into_iter().map(|p| p.extend(first.z)).collect()))
             .collect();
         for rim in &rims {

@@ -12,6 +12,7 @@ mod hatch;
 pub mod layered;
 mod layers;
 mod level;
+mod lids;
 pub mod posts;
 pub mod rim;
 mod segments;
