@@ -89,8 +89,12 @@ def view(
         if marks.fill or marks.files:
             raise click.UsageError(f"{file}: G-code cannot be marked; mark its model")
         shown = pictures.load(file)
-    else:
+    elif marks.concern(file):
         shown = pictures.load(marks.load(file, options))
+    else:
+        from wireprint.mesh import load_mesh
+
+        shown = load_mesh(file, **options)
     common: dict[str, Any] = {
         "camera": camera,
         "kinds": kinds,

@@ -82,14 +82,14 @@ impl Painting {
         // What is damaged is refused before memory is taken for the leaves.
         for (triangle, digits) in self.paintings() {
             let checked = walk(digits, DVec3::AXES, |_| ());
-            checked.map_err(|what| unreadable(triangle, shown(digits), what))?;
+            checked.map_err(|what| unreadable(triangle, digits, what))?;
         }
         let mut leaves = Leaves::default();
         for (triangle, digits) in self.paintings() {
             let corners = corners(triangle, vertices, faces)
-                .ok_or_else(|| unreadable(triangle, shown(digits), "is on no triangle"))?;
+                .ok_or_else(|| unreadable(triangle, digits, "is on no triangle"))?;
             let visited = walk(digits, corners, |leaf| leaves.add(triangle, leaf));
-            visited.map_err(|what| unreadable(triangle, shown(digits), what))?;
+            visited.map_err(|what| unreadable(triangle, digits, what))?;
         }
         Ok(leaves)
     }
@@ -124,6 +124,7 @@ impl Leaves {
 }
 
 fn unreadable(triangle: u32, digits: &str, what: &str) -> CoreError {
+    let digits = shown(digits);
     CoreError::Unreadable(format!("the painting of triangle {triangle}: '{digits}' {what}"))
 }
 

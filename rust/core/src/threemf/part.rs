@@ -6,7 +6,7 @@ use super::paint::{MOST_DIGITS, Painting};
 use super::values::{Read, kept, number, parsed, required};
 use crate::Result;
 use crate::mesh::weld::LARGEST;
-use crate::xml::{Element, Handler, Reader};
+use crate::xml::{Element, Handler, Reader, shown};
 
 /// Namespace of triangle sets, 3MF core specification 1.3, chapter 4.3.
 const SETS: &str = "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
@@ -169,7 +169,8 @@ impl Filling {
     fn model(&mut self, element: &Element<'_>) -> Read<()> {
         let unit = element.get("unit").unwrap_or("millimeter".into());
         let known = UNITS_MM.iter().find(|(name, _)| *name == unit);
-        let (_, mm) = known.ok_or_else(|| format!("makes no sense: unknown unit '{unit}'"))?;
+        let (_, mm) =
+            known.ok_or_else(|| format!("makes no sense: unknown unit '{}'", shown(&unit)))?;
         self.part.unit_mm = *mm;
         Ok(())
     }
@@ -177,7 +178,7 @@ impl Filling {
     fn object(&mut self, element: &Element<'_>) -> Read<()> {
         let id = kept(required(element, "id")?)?;
         if !self.ids.insert(id.clone()) {
-            return Err(format!("makes no sense: another one has the id '{id}'"));
+            return Err(format!("makes no sense: another one has the id '{}'", shown(&id)));
         }
         count(&mut self.objects, 1, MOST_OBJECTS, "objects")?;
         self.part.objects.push(Object { id, ..Object::default() });
@@ -194,7 +195,7 @@ impl Filling {
                 "makes no sense: vertex {} of object '{}' is {point:?}: \
                  no finite, sensible coordinates",
                 object.vertices.len(),
-                object.id
+                shown(&object.id)
             ));
         }
         count(&mut self.vertices, 1, MOST_VERTICES, "vertices")?;
@@ -211,7 +212,7 @@ impl Filling {
                 "makes no sense: triangle {} of object '{}' names vertices {corners:?}, \
                  but there are {there} before it",
                 object.triangles.len(),
-                object.id
+                shown(&object.id)
             ));
         };
         count(&mut self.triangles, 1, MOST_TRIANGLES, "triangles")?;

@@ -101,7 +101,7 @@ pub(super) fn check_references(text: &str) -> Read<()> {
     let mut rest = text;
     while let Some(start) = memchr(b'&', rest.as_bytes()) {
         let Some((_, length)) = reference(&rest[start..]) else {
-            let what = format!("{:?} stands for nothing: undefined", shown(&rest[start..]));
+            let what = format!("'{}' stands for nothing: undefined", shown(&rest[start..]));
             return Err(Stop::damage(&what));
         };
         rest = &rest[start + length..];

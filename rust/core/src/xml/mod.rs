@@ -212,9 +212,9 @@ impl<H: Handler> Reader<H> {
     }
 }
 
-/// A name or value as errors show it.
-pub(crate) fn shown(text: &str) -> &str {
-    text.char_indices().nth(40).map_or(text, |(end, _)| &text[..end])
+/// A name or value as errors show it: not too long, and nothing that a terminal would obey.
+pub(crate) fn shown(text: &str) -> String {
+    text.chars().take(40).flat_map(char::escape_debug).collect()
 }
 
 #[cfg(test)]

@@ -49,7 +49,7 @@ fn declaration(content: &str, decoder: &Decoder) -> Read<()> {
         }
         if !sensible {
             let what =
-                format!("its {name} is {:?}; 3MF is XML 1.0 in UTF-8 or UTF-16", shown(value));
+                format!("its {name} is '{}'; 3MF is XML 1.0 in UTF-8 or UTF-16", shown(value));
             return Err(Stop::damage(&what));
         }
         first = false;
