@@ -62,8 +62,11 @@ impl Spaces {
 
     /// Namespace and local name of an element's name.
     pub fn of_element<'a>(&'a self, name: &'a str) -> Result<(&'a str, &'a str), Stop> {
-        let (prefix, local) = name.split_once(':').unwrap_or(("", name));
-        let namespace = self.of(prefix).filter(|_| is_local(local) && !name.starts_with(':'));
+        let Some(colon) = name.bytes().position(|b| b == b':') else {
+            return Ok((self.of("").unwrap_or_default(), name));
+        };
+        let (prefix, local) = (&name[..colon], &name[colon + 1..]);
+        let namespace = self.of(prefix).filter(|_| is_local(local) && colon > 0);
         let unbound = || Stop::damage(&format!("{} has an unbound prefix", shown(name)));
         Ok((namespace.ok_or_else(unbound)?, local))
     }
