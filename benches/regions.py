@@ -12,10 +12,11 @@ from scipy.spatial import cKDTree
 
 import shared_models
 from wireprint import examples
+from wireprint.gcode.flavors import KINDS
 from wireprint.hybrid.cut import Cut, Samples
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
-from wireprint.regions import Box, Region, Sphere, ZRange
+from wireprint.regions import Box, HalfSpace, Region, Sphere, ZRange
 from wireprint.settings import Settings
 from wireprint.timing import clock
 
@@ -40,16 +41,21 @@ than slender ones.
 ## Detail
 
 **to surface**: mean distance from points of the model's surface to the nearest strand's centre
-line, of the wire print and of the one with layers, in the region and outside it.
+line, of the wire print and of the one with layers, in the region and outside it. **posts**:
+how many of the wire print's posts stand where they stood, of those that are farther from all layers
+than a stroke as high as the highest slab bars the head. **filled**: how much of the region's inside
+behind contours that are marked in part is filled; the rest is beside wire, or nothing carries it.
 
-| model | marked | runs | time | in the region, mm | outside, mm | breaches | stays wire |
-|---|---|--:|--:|--:|--:|--:|--:|
+| model | marked | runs | time | in it, mm | outside, mm | posts | filled, cm³ | breaches | wire |
+|---|---|--:|--:|--:|--:|--:|--:|--:|--:|
 {details}
 """
 SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]", *shared_models.ROOMY])
 SHARES = (0, 10, 25, 50, 75, 100)
 #: Points along a strand lie so far apart, mm.
 PITCH = 0.1
+#: What moves less stays where it is, mm: coordinates are written to 1 µm.
+SAME = 1e-3
 
 
 def surface(mesh):
@@ -75,6 +81,28 @@ def distances(print_, points):
     rank = np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count)
     share = (rank / np.maximum(count[which] - 1, 1))[:, None]
     return cKDTree(ends[which, 0] * (1 - share) + ends[which, 1] * share).query(points)[0]
+
+
+def kept(plain, made):
+    """Count the posts far from layers that stay where they are, and all of these."""
+    kinds = ("post", "layer-wise", "layer-fill")
+    post, *layers = (KINDS.index(kind) for kind in kinds)
+    strands = [p.wireframe.strands[p.wireframe.strand_kinds == post] for p in (plain, made)]
+    before, after = (each.reshape(-1, 6) for each in strands)
+    lines = made.wireframe.strands[np.isin(made.wireframe.strand_kinds, layers)]
+    head = SETTINGS.printer.head
+    reach = head.tip_radius_mm + SETTINGS.slab_max_mm / np.tan(np.radians(head.slant_deg))
+    far = cKDTree(lines[:, 0, :2]).query(before[:, :2])[0] > reach
+    stand = cKDTree(after).query(before[far])[0] < SAME
+    return f"{stand.sum()} of {far.sum()}"
+
+
+def filled(print_):
+    """How much of a region's inside is filled."""
+    report = print_.figures()["regions"]
+    hollow = sum(part["volume_mm3"] for part in report["hollow"])
+    whole = report["filled_mm3"] + hollow
+    return f"{report['filled_mm3'] / 1000:.1f} of {whole / 1000:.1f}" if whole else "–"
 
 
 def stays(print_, area_mm2):
@@ -122,7 +150,8 @@ def detail(name, mesh, called, region):
     marked = samples.area[inside].sum()
     return (
         f"| {name} | {called} | {len(runs.runs)} | {times} | {' → '.join(near)} "
-        f"| {' → '.join(apart)} | {breaches(made)} | {stays(made, marked)} |"
+        f"| {' → '.join(apart)} | {kept(plain, made)} | {filled(made)} | {breaches(made)} "
+        f"| {stays(made, marked)} |"
     )
 
 
@@ -139,6 +168,8 @@ def tables(models):
     bottle = example("bottle")
     first, second = [("bottle", bottle)], []
     second.append(("bottle", bottle, "neck", Region().add(ZRange(low_mm=135))))
+    ball, middle = example("sphere"), Box(low_mm=(-40, -40, 11), high_mm=(40, -2, 22))
+    second.append(("sphere", ball, "box in mid-air", Region().add(middle)))
     if models.is_dir():
         bunny = load_mesh(models / "bunny.stl", scale=792.372)
         mug = load_mesh(models / "mug.stl", height_mm=90)
@@ -149,11 +180,15 @@ def tables(models):
         handle = Box(low_mm=(22.5, -20, -1), high_mm=(60, 20, 91))
         face = Box(low_mm=(-20, -20, 138), high_mm=(20, 1, 170))
         holes = Box(low_mm=(-30, -37, 2), high_mm=(30, 6, 13))
+        half = HalfSpace(normal=(1, 0.2, 0), offset_mm=5)
+        wall = Box(low_mm=(-60, -60, 25), high_mm=(10, 0, 55))
         second += [
             ("bunny", bunny, "head", Region().add(head)),
             ("mug", mug, "handle", Region().add(handle)),
             ("figure_man", figure, "face", Region().add(face)),
             ("kossel_frame_top", kossel, "holes", Region().add(holes)),
+            ("bunny", bunny, "hind half", Region().add(half)),
+            ("mug", mug, "part of the wall", Region().add(wall)),
         ]
     return first, second
 

@@ -9,7 +9,7 @@ use super::build::{Build, Ground};
 use super::curve::Curve;
 use super::hang::LEDGE;
 use super::hatch::hatch;
-use super::layered::closed_rim;
+use super::layered::{Stretch, closed_rim, rim_of};
 use super::lids::outside;
 use super::rim::{Footing, Rim};
 use super::strips::Strip;
@@ -97,7 +97,9 @@ impl Build<'_> {
             }
             return rim;
         }
-        if self.are_layers(level, &ledge.lower) && self.is_within(curve, level) {
+        if self.are_layers(level, &ledge.lower) && self.is_within(curve, level)
+            || self.is_on_layers(curve, level)
+        {
             return Some(closed_rim(curve, z));
         }
         let lifted = z + LIFT * self.p.strand;
@@ -129,6 +131,27 @@ impl Build<'_> {
         curve.points().iter().all(|&p| {
             let around = below().filter(|c| c.closed && polygon::contains(&c.points, p)).count();
             around % 2 == 1 || footing.nearest(p).is_some_and(|f| f.distance < 0.5 * self.p.strand)
+        })
+    }
+
+    /// Whether a contour lies all around on what the slab below a level prints as layers of
+    /// contours that are layers in part.
+    fn is_on_layers(&self, curve: &Curve, level: usize) -> bool {
+        let Some(layers) = level.checked_sub(1).and_then(|slab| self.layered.slab(slab)) else {
+            return false;
+        };
+        let rim = |stretch: &Stretch| {
+            let contour = &self.sliced.lower[level][stretch.contour as usize];
+            let whole = Curve::new(&contour.points, contour.closed)?;
+            Some(rim_of(&whole, stretch.from, stretch.length, 0.0))
+        };
+        let rims: Vec<Rim> = layers.stretches.iter().filter_map(rim).collect();
+        let rims: Vec<&Rim> = rims.iter().collect();
+        let footing = Footing::new(&rims);
+        let near = 0.5 * self.p.strand;
+        places(curve, self.p.strand).all(|p| {
+            let around = layers.lids.iter().filter(|ring| polygon::contains(ring, p)).count();
+            around % 2 == 1 || footing.holds(p, near)
         })
     }
 
@@ -238,11 +261,13 @@ impl Build<'_> {
 
 /// Whether a printed rim lies under the whole contour.
 fn follows(curve: &Curve, rim: &Rim, strand: f64) -> bool {
-    let count = (curve.length() / strand).ceil().max(4.0) as usize;
     let rims = [rim];
     let footing = Footing::new(&rims);
-    (0..count).all(|i| {
-        let place = curve.position(curve.length() * i as f64 / count as f64);
-        footing.nearest(place).is_some_and(|f| f.distance < strand)
-    })
+    places(curve, strand).all(|place| footing.nearest(place).is_some_and(|f| f.distance < strand))
+}
+
+/// Places along a curve, at most `pitch` mm apart.
+fn places(curve: &Curve, pitch: f64) -> impl Iterator<Item = DVec2> + '_ {
+    let count = (curve.length() / pitch).ceil().max(4.0) as usize;
+    (0..count).map(move |i| curve.position(curve.length() * i as f64 / count as f64))
 }
