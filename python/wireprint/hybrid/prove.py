@@ -92,8 +92,9 @@ def proved(mesh: Mesh, plain: Wireframe, region: Region, settings: Settings) -> 
 
     Notes
     -----
-    Each print is judged as `check` judges a file. A breach is put down to the run that is nearest
-    to it, which is dropped; after so many rounds, all are.
+    Each print is judged as `check` judges a file. A breach within the fill behind walls leaves its
+    slab hollow; any other is put down to the run that is nearest to it, which is dropped; after so
+    many rounds, all are.
     """
     plan = Plan.of(mesh, plain, region, settings)
     for rounds in range(1, _ROUNDS + 1):

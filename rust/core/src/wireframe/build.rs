@@ -72,6 +72,7 @@ pub struct Build<'a> {
     pub(super) wanting: usize,
     /// The plain print that wire beside layers goes by; empty for that print itself.
     pub(super) guide: &'a Guide,
+    /// All flat zigzags that hold contours so far.
     pub(super) spokes: Vec<Spokes>,
 }
 
