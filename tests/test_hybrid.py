@@ -239,6 +239,19 @@ def test_a_lid_is_closed_once_where_layers_lie_below_it(models):
     assert area == pytest.approx(14 * 14, rel=0.15)
 
 
+def test_a_slab_whose_fill_breaks_a_rule_stays_hollow_and_keeps_its_runs(models):
+    box = Box(low_mm=(-20, -20, 10), high_mm=(2, 20, 20))
+    plan = printed(models("cube"), box, certify=False).regions.plan
+    slab = plan.sections[0].slab
+    left = plan.without({}, {slab: "overhang"})
+    assert left.sections == plan.sections
+    assert 0 < left.filled_mm3 < plan.filled_mm3
+    here = [left.filled_at(np.array([-6.0, 0.0, z])) for z in plan.cut.z[plan.cut.slab == slab]]
+    assert here == [None] * len(here)
+    (named,) = (part for part in left.left_hollow() if part.reason == "overhang")
+    assert named.volume_mm3 == pytest.approx(plan.filled_mm3 - left.filled_mm3, rel=0.2)
+
+
 def test_paint_has_no_inside(models):
     import trimesh
 
