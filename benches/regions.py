@@ -176,7 +176,7 @@ def tables(models):
         kossel = load_mesh(models / "kossel_frame_top.stl")
         figure = load_mesh(models / "figure_man.obj", up="y", height_mm=160)
         first += [("bunny", bunny), ("kossel_frame_top", kossel)]
-        head = Sphere(centre_mm=(-38, 8, 68), radius_mm=27)
+        head = Sphere(centre_mm=(-36, -12, 63), radius_mm=25)
         handle = Box(low_mm=(22.5, -20, -1), high_mm=(60, 20, 91))
         face = Box(low_mm=(-20, -20, 138), high_mm=(20, 1, 170))
         holes = Box(low_mm=(-30, -37, 2), high_mm=(30, 6, 13))
