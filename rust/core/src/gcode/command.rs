@@ -17,6 +17,24 @@ pub struct Axes {
     pub f: Option<f64>,
 }
 
+impl Axes {
+    /// Sets the word of an axis; whether the letter is one.
+    ///
+    /// Not by a reference that depends on the letter: that would keep the words out of registers.
+    #[inline]
+    pub(super) fn set(&mut self, letter: u8, value: f64) -> bool {
+        match letter {
+            b'X' => self.x = Some(value),
+            b'Y' => self.y = Some(value),
+            b'Z' => self.z = Some(value),
+            b'E' => self.e = Some(value),
+            b'F' => self.f = Some(value),
+            _ => return false,
+        }
+        true
+    }
+}
+
 /// How an arc states its centre; in the units of the file.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Centre {

@@ -21,14 +21,8 @@ pub(super) fn plain_move(text: &[u8]) -> Option<(Command<'_>, usize)> {
         if value.abs() > LARGEST {
             return None;
         }
-        // Not by a reference that depends on the letter: that would keep the words out of registers.
-        match letter {
-            b'X' => axes.x = Some(value),
-            b'Y' => axes.y = Some(value),
-            b'Z' => axes.z = Some(value),
-            b'E' => axes.e = Some(value),
-            b'F' => axes.f = Some(value),
-            _ => return None,
+        if !axes.set(*letter, value) {
+            return None;
         }
         at += 1 + length;
         match text.get(at)? {

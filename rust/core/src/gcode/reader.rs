@@ -241,7 +241,7 @@ impl<'a> Cursor<'a> {
     #[inline]
     fn axes(&mut self) -> Option<Axes> {
         let mut axes = Axes::default();
-        self.each_word(|letter, value| set_axis(&mut axes, letter, value))?;
+        self.each_word(|letter, value| _ = axes.set(letter, value))?;
         Some(axes)
     }
 
@@ -253,7 +253,7 @@ impl<'a> Cursor<'a> {
             b'J' => centre.j = Some(value),
             b'K' => centre.k = Some(value),
             b'R' => centre.r = Some(value),
-            _ => set_axis(&mut axes, letter, value),
+            _ => _ = axes.set(letter, value),
         })?;
         (centre != Centre::default()).then_some((axes, centre))
     }
@@ -298,18 +298,5 @@ impl<'a> Cursor<'a> {
         let letters = name.iter().take_while(|b| b.is_ascii_alphabetic() || **b == b'_').count();
         self.rest = rest;
         (letters >= 2).then(|| Command::Named(name, self.words()))
-    }
-}
-
-/// Sets the word of an axis; other letters are ignored.
-#[inline]
-pub(super) fn set_axis(axes: &mut Axes, letter: u8, value: f64) {
-    match letter {
-        b'X' => axes.x = Some(value),
-        b'Y' => axes.y = Some(value),
-        b'Z' => axes.z = Some(value),
-        b'E' => axes.e = Some(value),
-        b'F' => axes.f = Some(value),
-        _ => {}
     }
 }

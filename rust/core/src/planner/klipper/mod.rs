@@ -150,20 +150,13 @@ impl Klipper {
     #[inline]
     pub(super) fn push(&mut self, step: &Step, tag: Tag, sink: &mut impl Sink) {
         if self.batch.push(step, self.local(step), tag) {
-            self.settle(sink);
+            self.absorb(false, sink);
         }
-    }
-
-    /// Puts the moves gathered under the limits that hold now.
-    fn settle(&mut self, sink: &mut impl Sink) {
-        self.absorb(sink);
-        self.batch.clear(false);
     }
 
     /// Plans everything queued as ending in a standstill.
     pub(super) fn stop(&mut self, sink: &mut impl Sink) {
-        self.absorb(sink);
-        self.batch.clear(true);
+        self.absorb(true, sink);
         self.flush(self.queue.len(), Backward::default(), sink);
         self.left_cruise_v2 = 0.0;
     }
@@ -172,12 +165,12 @@ impl Klipper {
     pub(super) fn command(&mut self, command: &Command<'_>, sink: &mut impl Sink) {
         match command {
             Command::M(204, words) => {
-                self.settle(sink);
+                self.absorb(false, sink);
                 let both = words.get(b'P').zip(words.get(b'T')).map(|(p, t)| p.min(t));
                 set_positive(&mut self.current.max_accel, words.get(b'S').or(both));
             }
             Command::Named(name, words) if name.eq_ignore_ascii_case(b"SET_VELOCITY_LIMIT") => {
-                self.settle(sink);
+                self.absorb(false, sink);
                 let current = &mut self.current;
                 set_positive(&mut current.max_velocity, words.named(b"VELOCITY"));
                 set_positive(&mut current.max_accel, words.named(b"ACCEL"));
@@ -206,8 +199,9 @@ impl Klipper {
         taper.map_or(Local::NONE, |(_, local)| *local)
     }
 
-    /// Moves the batch into the queue, and what has become certain to `sink`.
-    fn absorb(&mut self, sink: &mut impl Sink) {
+    /// Moves the batch, under the limits that hold now, into the queue, and what has become certain
+    /// to `sink`; `stops` tells whether the head stops after it.
+    fn absorb(&mut self, stops: bool, sink: &mut impl Sink) {
         let rules = Rules {
             configured: &self.configured,
             current: &self.current,
@@ -221,6 +215,7 @@ impl Klipper {
             reach = item.reach();
             item
         }));
+        self.batch.clear(stops);
         if self.queue.len() >= BATCH {
             self.cut(sink);
         }
