@@ -26,6 +26,7 @@ __all__ = [
     "SettingError",
     "Slices",
     "Strands",
+    "Thumbnails",
     "Toolpath",
     "UnprintableError",
     "Wireframe",
@@ -212,6 +213,18 @@ class Strands:
     @property
     def features(self) -> npt.NDArray[np.uint16]: ...
     def __len__(self) -> int: ...
+    def thumbnails(
+        self,
+        palette: Sequence[_Rgb | None],
+        sizes: Sequence[tuple[int, int]],
+        camera: tuple[float, float, float],
+        *,
+        margin: float,
+    ) -> Thumbnails: ...
+
+@final
+class Thumbnails:
+    def files(self) -> list[bytes]: ...
 
 @final
 class Scene:
@@ -247,13 +260,6 @@ class Scene:
         margins: tuple[float, float, float, float],
         ground: _Rgb | None,
     ) -> bytes: ...
-    def thumbnails(
-        self,
-        sizes: Sequence[tuple[int, int]],
-        camera: tuple[float, float, float],
-        *,
-        margin: float,
-    ) -> list[bytes]: ...
 
 @final
 class Estimate:

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wireprint import report
-from wireprint.aside import Aside
 from wireprint.certificate import check
 from wireprint.files import written_whole
 from wireprint.gcode import document
@@ -241,20 +240,21 @@ def _written(
     path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
 ) -> tuple[bytes, Estimate]:
     # The pictures take as long as all the text: they are drawn beside it.
-    thumbnails = Aside(lambda: _thumbnails(path, settings))
+    thumbnails = _thumbnails(path, settings)
     text, estimate = document.timed(document.commands(path, settings), settings)
     layers = text.count(b";LAYER_CHANGE\n")
     footer = document.footer(settings, estimate.filament_mm, estimate.total_s, layers)
     date = date or document.dated(None)
-    header = document.header(settings, date, thumbnails.result(), remarks)
+    header = document.header(settings, date, thumbnails(), remarks)
     return b"".join((header, text, footer)), estimate
 
 
-def _thumbnails(path: Toolpath, settings: Settings) -> list[Thumbnail]:
+def _thumbnails(path: Toolpath, settings: Settings) -> Callable[[], list[Thumbnail]]:
+    """Begin to draw the pictures; what is returned waits for them."""
     sizes = settings.printer.gcode.thumbnails
     if not sizes:
-        return []
+        return list
     from wireprint import view
 
-    drawn = view.thumbnails(view.strands_of(path, settings), sizes)
-    return [document.Thumbnail(width, height, png) for width, height, png in drawn]
+    drawn = view.begin_thumbnails(view.strands_of(path, settings), sizes)
+    return lambda: [document.Thumbnail(width, height, png) for width, height, png in drawn()]

@@ -15,7 +15,7 @@ from wireprint._core import Mesh, Scene, SettingError, Strands
 from wireprint.files import written_whole
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Sequence
+    from collections.abc import Callable, Collection, Iterable, Sequence
 
     from wireprint._core import Toolpath
     from wireprint.model import Model
@@ -434,10 +434,17 @@ def thumbnails(
     list
         Width, height and PNG file of each.
     """
-    scene = Scene()
+    return begin_thumbnails(strands, sizes)()
+
+
+def begin_thumbnails(
+    strands: Strands, sizes: Iterable[tuple[int, int]]
+) -> Callable[[], list[tuple[int, int, bytes]]]:
+    """Begin to draw `thumbnails` beside other work; what is returned waits for them, once."""
     styles = [style_of(label) for label in strands.labels]
     objects = [style.colour if style.is_object else None for style in styles]
-    scene.add_strands(strands, objects)
     sizes = list(sizes)
-    pictures = scene.thumbnails(sizes, CAMERAS["iso"], margin=1.0)
-    return [(width, height, png) for (width, height), png in zip(sizes, pictures, strict=True)]
+    drawn = strands.thumbnails(objects, sizes, CAMERAS["iso"], margin=1.0)
+    return lambda: [
+        (width, height, png) for (width, height), png in zip(sizes, drawn.files(), strict=True)
+    ]

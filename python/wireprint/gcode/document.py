@@ -12,6 +12,7 @@ import json
 import os
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from wireprint import limits
@@ -178,7 +179,7 @@ def footer(settings: Settings, filament_mm: float, print_time_s: float, layers: 
         "bed_temperature": f"{material.bed_c}",
     }
     lines = [f"; {key} = {value}" for key, value in entries.items()]
-    lines += [_SETTINGS_BEGIN, *_settings_lines(settings.model_dump()), _SETTINGS_END]
+    lines += [_SETTINGS_BEGIN, _settings_block(settings), _SETTINGS_END]
     return ("\n" + "\n".join(lines) + "\n").encode()
 
 
@@ -223,14 +224,12 @@ def duration(seconds: float) -> str:
 
 def _thumbnail_lines(thumbnail: Thumbnail) -> list[str]:
     code = base64.b64encode(thumbnail.png).decode()
-    rows = (
-        code[start : start + _THUMBNAIL_COLUMNS]
-        for start in range(0, len(code), _THUMBNAIL_COLUMNS)
-    )
+    columns = _THUMBNAIL_COLUMNS
+    rows = [code[start : start + columns] for start in range(0, len(code), columns)]
     size = f"{thumbnail.width}x{thumbnail.height}"
     return [
         f"; thumbnail begin {size} {len(code)}",
-        *(f"; {row}" for row in rows),
+        "; " + "\n; ".join(rows),
         "; thumbnail end",
         "",
     ]
@@ -245,6 +244,12 @@ def _modes(settings: Settings) -> str:
     """Return what the moves build on, whatever the start sequence left behind."""
     extrusion = "M83" if settings.printer.gcode.relative_extrusion else "M82"
     return f"G21\nG90\n{extrusion}\nG92 E0\n"
+
+
+@lru_cache(maxsize=8)
+def _settings_block(settings: Settings) -> str:
+    """Write all settings, a line each; files that are made together mostly share theirs."""
+    return "\n".join(_settings_lines(settings.model_dump()))
 
 
 def _settings_lines(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:

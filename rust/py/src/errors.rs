@@ -53,6 +53,12 @@ pub fn detached<T: Send>(
     py.detach(call).map_err(to_py)
 }
 
+/// Runs a call in the pool of threads, where its parallel parts find the others awake: from any
+/// other thread each part would begin by waking them.
+pub fn in_pool<T: Send>(call: impl FnOnce() -> T + Send) -> T {
+    rayon::scope(|_| call())
+}
+
 /// Adds the exceptions to the module, each with the exit code of the command.
 ///
 /// # Errors

@@ -30,7 +30,7 @@ mod _core {
     #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]
-    use super::render::{Scene, Strands};
+    use super::render::{Scene, Strands, Thumbnails};
     #[pymodule_export]
     use super::slices::{Slices, slice_mesh};
     #[pymodule_export]

@@ -1,15 +1,20 @@
 //! `wireprint._core.Strands` and `.Scene`: what is laid, and a picture of it.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::PathBuf;
+use std::sync::mpsc::{self, Receiver};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
 
 use glam::DVec3;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use wireprint_core::render::{self, Camera, Frame, Image, Rgb, Width};
 
 use crate::arrays;
-use crate::errors::{SettingError, detached};
+use crate::errors::{SettingError, detached, to_py};
 use crate::mesh::Mesh;
 use crate::toolpath::Toolpath;
 
@@ -18,7 +23,7 @@ type Triple = (f64, f64, f64);
 /// Strands in printing order, with their labels, and travels; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Strands {
-    core: render::Strands,
+    core: Arc<render::Strands>,
 }
 
 #[pymethods]
@@ -27,20 +32,20 @@ impl Strands {
     #[staticmethod]
     fn read_gcode(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let core = detached(py, || render::Strands::from_gcode(&std::fs::read(&path)?))?;
-        Ok(Self { core })
+        Ok(core.into())
     }
 
     /// Replays G-code held in memory.
     #[staticmethod]
     fn from_gcode(py: Python<'_>, text: &[u8]) -> PyResult<Self> {
-        Ok(Self { core: detached(py, || render::Strands::from_gcode(text))? })
+        Ok(detached(py, || render::Strands::from_gcode(text))?.into())
     }
 
     /// The strands of a toolpath; a label for each kind code.
     #[staticmethod]
     fn from_toolpath(toolpath: &Toolpath, labels: Vec<String>, filament_diameter_mm: f64) -> Self {
         let toolpath = toolpath.core();
-        Self { core: render::Strands::from_toolpath(toolpath, labels, filament_diameter_mm) }
+        render::Strands::from_toolpath(toolpath, labels, filament_diameter_mm).into()
     }
 
     /// Strands of one diameter: segments float64 (N, 2, 3) in mm, features uint16 (N,).
@@ -68,7 +73,7 @@ impl Strands {
         }
         let diameters = vec![diameter_mm; segments.len()];
         let none = render::Strands::default();
-        Ok(Self { core: render::Strands { segments, diameters, features, labels, ..none } })
+        Ok(render::Strands { segments, diameters, features, labels, ..none }.into())
     }
 
     /// Labels in small letters; the first, empty one is that of strands before any.
@@ -122,6 +127,71 @@ impl Strands {
     fn __len__(&self) -> usize {
         self.core.segments.len()
     }
+
+    /// Begin to draw the strands whose label has a colour in the palette, in pictures of few colours
+    /// on a transparent ground; smaller ones are larger ones scaled down, where these have their
+    /// proportions.
+    #[pyo3(signature = (palette, sizes, camera, *, margin))]
+    fn thumbnails(
+        &self,
+        palette: Vec<Option<Rgb>>,
+        sizes: Vec<(usize, usize)>,
+        camera: (f64, f64, f64),
+        margin: f64,
+    ) -> PyResult<Thumbnails> {
+        self.check(&palette)?;
+        let (strands, camera) = (Arc::clone(&self.core), view_from(camera));
+        let draw = move || {
+            let mut scene = render::Scene::default();
+            strands.add_to(&mut scene, &palette, None);
+            render::thumbnails(&scene, &camera, &sizes, margin)
+        };
+        let (sender, drawn) = mpsc::channel();
+        rayon::spawn(move || {
+            // A panic goes where the pictures are waited for; where nobody waits, it is of no account.
+            let _ = sender.send(catch_unwind(AssertUnwindSafe(draw)));
+        });
+        Ok(Thumbnails { drawn: Mutex::new(Some(drawn)) })
+    }
+}
+
+impl Strands {
+    /// Refuses a palette that has not a colour, or none, for each label.
+    fn check(&self, palette: &[Option<Rgb>]) -> PyResult<()> {
+        let (colours, labels) = (palette.len(), self.core.labels.len());
+        if colours == labels {
+            return Ok(());
+        }
+        Err(SettingError::new_err(format!("palette: {colours} colours for {labels} labels")))
+    }
+}
+
+impl From<render::Strands> for Strands {
+    fn from(core: render::Strands) -> Self {
+        Self { core: Arc::new(core) }
+    }
+}
+
+/// The bytes of files, or why there are none.
+type Files = thread::Result<wireprint_core::Result<Vec<Vec<u8>>>>;
+
+/// Small pictures that are drawn beside other work.
+#[pyclass(frozen, module = "wireprint._core")]
+pub struct Thumbnails {
+    drawn: Mutex<Option<Receiver<Files>>>,
+}
+
+#[pymethods]
+impl Thumbnails {
+    /// Wait for the pictures: the bytes of their PNG files. They are handed out once.
+    fn files<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyBytes>>> {
+        let drawn = self.drawn.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let Some(Ok(files)) = py.detach(|| drawn.map(|drawn| drawn.recv())) else {
+            return Err(PyRuntimeError::new_err("the pictures were handed out before"));
+        };
+        let files = files.unwrap_or_else(|panic| resume_unwind(panic));
+        Ok(files.map_err(to_py)?.iter().map(|png| PyBytes::new(py, png)).collect())
+    }
 }
 
 /// What a picture shows; filled by its methods, drawn by `render` and `png`.
@@ -146,13 +216,7 @@ impl Scene {
         palette: Vec<Option<Rgb>>,
         travel: Option<Rgb>,
     ) -> PyResult<()> {
-        if palette.len() != strands.core.labels.len() {
-            return Err(SettingError::new_err(format!(
-                "palette: {} colours for {} labels",
-                palette.len(),
-                strands.core.labels.len()
-            )));
-        }
+        strands.check(&palette)?;
         strands.core.add_to(&mut self.core, &palette, travel);
         Ok(())
     }
@@ -216,21 +280,6 @@ impl Scene {
         let image = self.draw(py, size, camera, supersample, margins, ground)?;
         let bytes = detached(py, || image.png())?;
         Ok(PyBytes::new(py, &bytes))
-    }
-
-    /// Draw the strands in pictures of few colours on a transparent ground, as the bytes of PNG
-    /// files; smaller ones are larger ones scaled down, where these have their proportions.
-    #[pyo3(signature = (sizes, camera, *, margin))]
-    fn thumbnails<'py>(
-        &self,
-        py: Python<'py>,
-        sizes: Vec<(usize, usize)>,
-        camera: (f64, f64, f64),
-        margin: f64,
-    ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-        let camera = view_from(camera);
-        let pictures = detached(py, || render::thumbnails(&self.core, &camera, &sizes, margin))?;
-        Ok(pictures.iter().map(|png| PyBytes::new(py, png)).collect())
     }
 }
 

@@ -12,7 +12,7 @@ use wireprint_core::wireframe as core;
 use wireprint_core::wireframe::{Kind, Pattern, Placement, Reason, WireParams};
 
 use crate::arrays;
-use crate::errors::{SettingError, detached, to_py};
+use crate::errors::{SettingError, detached, in_pool, to_py};
 use crate::layered::{LayeredArgs, layers};
 use crate::mesh::Mesh;
 
@@ -133,11 +133,12 @@ pub fn wireframe(
     let head = head.core()?;
     let (heights, wire) = (params.heights(), params.wire()?);
     let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
-    let core = detached(py, || {
+    let build = || {
         let sliced = core::slice_model(mesh.core(), &head, &heights)?;
         layered.fits(&sliced)?;
         Ok(core::build(sliced, &layered, &head, &wire))
-    })?;
+    };
+    let core = detached(py, || in_pool(build))?;
     Ok(Wireframe { core: Arc::new(core) })
 }
 

@@ -16,10 +16,20 @@ const ROOM: usize = 40;
 
 /// Appends `value` · 10^-`decimals` (at most 18) with all its decimals. Zero has no sign.
 pub fn push(out: &mut Vec<u8>, value: i64, decimals: u32) {
+    // The compiler turns division by a constant into multiplication.
+    match decimals {
+        0 => push_with(out, value, 0),
+        3 => push_with(out, value, 3),
+        5 => push_with(out, value, 5),
+        other => push_with(out, value, other.min(18)),
+    }
+}
+
+#[inline(always)]
+fn push_with(out: &mut Vec<u8>, value: i64, decimals: u32) {
     if value < 0 {
         out.push(b'-');
     }
-    let decimals = decimals.min(18);
     let one = 10_u64.pow(decimals);
     let magnitude = value.unsigned_abs();
     let mut room = [b'0'; ROOM];

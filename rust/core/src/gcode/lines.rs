@@ -224,9 +224,13 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// `value` in units of 10^-`decimals`, to the nearest.
+/// `value` in units of 10^-`decimals`, to the nearest, halves away from zero: as `f64::round`, which
+/// calls a function where the processor may be an old one.
 fn units(value: f64, decimals: u32) -> i64 {
-    (value * f64::from(10_u32.pow(decimals))).round() as i64
+    let scaled = value * f64::from(10_u32.pow(decimals));
+    let whole = scaled as i64;
+    let rest = scaled - whole as f64;
+    whole.saturating_add(i64::from(rest >= 0.5)).saturating_sub(i64::from(rest <= -0.5))
 }
 
 #[cfg(test)]
@@ -311,6 +315,16 @@ mod tests {
             .map(|feed| feed.parse::<f64>().unwrap())
             .sum();
         assert!((fed - 0.4).abs() < 1e-5, "{fed}");
+    }
+
+    #[test]
+    fn units_are_rounded_as_numbers_are() {
+        let below_half = 0.5_f64.next_down();
+        for value in [0.0, 0.5, below_half, 1.5, 2.5, 0.3, 7.999, 1e6 + 0.5, 4503599627370496.0] {
+            for value in [value, -value] {
+                assert_eq!(units(value, 0), value.round() as i64, "{value}");
+            }
+        }
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub(super) fn below(scene: &Scene, camera: &Camera) -> Option<Scene> {
     if camera.elevation < 0.0 {
         return None;
     }
-    let (low, high) = bounds(scene.framed_points())?;
+    let (low, high) = bounds(scene.framed_points().into_iter())?;
     let (low, high) = (low.truncate(), high.truncate());
     let coarser = ((high - low).max_element() / GRID_MM / MOST_LINES).log10().ceil().max(0.0);
     let step = GRID_MM * 10_f64.powf(coarser);

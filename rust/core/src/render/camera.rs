@@ -70,7 +70,8 @@ const NEAR: f64 = 0.05;
 impl Projector {
     /// Looks at the middle of the scenes and fills the frame within its margins.
     pub(super) fn fit(camera: &Camera, scenes: &[&Scene], frame: &Frame) -> Self {
-        let points = || scenes.iter().flat_map(|scene| scene.framed_points());
+        let points: Vec<DVec3> = scenes.iter().flat_map(|scene| scene.framed_points()).collect();
+        let points = || points.iter().copied();
         let (low, high) = bounds(points()).unwrap_or((DVec3::ZERO, DVec3::ONE));
         let target = (low + high) / 2.0;
         let reach = points().map(|p| p.distance(target)).fold(1e-3, f64::max);

@@ -1,11 +1,17 @@
 //! The frame of a picture and its pixels.
 
-use super::indexed;
+use super::deflate::zlib;
+use super::indexed::{self, Indexed};
 use super::scene::Rgb;
 use crate::error::{CoreError, Result};
 
 /// Effort of a thumbnail's compression: more costs twice the time for a tenth of the size.
-const DEFLATE: u8 = 1;
+const DEFLATE: u32 = 1;
+/// What stands before a row of a PNG file that is written as it is.
+const NO_FILTER: u8 = 0;
+
+type EncodeResult<T> = std::result::Result<T, png::EncodingError>;
+type Encoder<'a> = png::Encoder<'a, &'a mut Vec<u8>>;
 
 /// Size, margins and ground of a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,11 +75,11 @@ impl Image {
     /// # Errors
     /// [`CoreError::Io`] where the encoder fails.
     pub fn png(&self) -> Result<Vec<u8>> {
-        self.encode(|encoder| {
+        let set = |encoder: &mut Encoder| {
             encoder.set_color(png::ColorType::Rgba);
             encoder.set_compression(png::Compression::Fast);
-            &self.rgba
-        })
+        };
+        self.encode(set, |writer| writer.write_image_data(&self.rgba))
     }
 
     /// The picture in at most 64 colours as the bytes of a PNG file, a fifth of the size.
@@ -81,31 +87,44 @@ impl Image {
     /// # Errors
     /// [`CoreError::Io`] where the encoder fails.
     pub fn thumbnail_png(&self) -> Result<Vec<u8>> {
-        let indexed = indexed::reduce(&self.rgba);
-        self.encode(|encoder| {
+        let Indexed { pixels, palette, alphas } = indexed::reduce(&self.rgba);
+        let data = self.deflated(&pixels)?;
+        let set = |encoder: &mut Encoder| {
             encoder.set_color(png::ColorType::Indexed);
-            encoder.set_palette(indexed.palette.as_slice());
-            encoder.set_trns(indexed.alphas.as_slice());
-            encoder.set_deflate_compression(png::DeflateCompression::Level(DEFLATE));
-            encoder.set_filter(png::Filter::NoFilter);
-            &indexed.pixels
-        })
+            encoder.set_palette(palette);
+            encoder.set_trns(alphas);
+        };
+        self.encode(set, |writer| writer.write_chunk(png::chunk::IDAT, &data))
     }
 
-    /// Writes a PNG file of one byte a channel; `set` chooses the colours and gives the pixels.
-    fn encode<'a>(
+    /// Rows of one byte a pixel as the data of a PNG file, unfiltered. In one go: the encoder takes
+    /// row by row and clears a buffer for each.
+    fn deflated(&self, pixels: &[u8]) -> Result<Vec<u8>> {
+        let mut rows = Vec::with_capacity((self.width + 1) * self.height);
+        for row in pixels.chunks(self.width) {
+            rows.push(NO_FILTER);
+            rows.extend_from_slice(row);
+        }
+        Ok(zlib(&rows, DEFLATE)?)
+    }
+
+    /// Writes a PNG file of one byte a channel: `set` chooses the colours, `write` the pixels.
+    fn encode(
         &self,
-        set: impl FnOnce(&mut png::Encoder<'a, &mut Vec<u8>>) -> &'a [u8],
+        set: impl FnOnce(&mut Encoder),
+        write: impl FnOnce(&mut png::Writer<&mut Vec<u8>>) -> EncodeResult<()>,
     ) -> Result<Vec<u8>> {
-        let failed = |error: png::EncodingError| CoreError::Io(std::io::Error::other(error));
         let mut bytes = Vec::new();
-        // A frame's sides are bounded, so they fit.
-        let mut encoder = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
-        encoder.set_depth(png::BitDepth::Eight);
-        let pixels = set(&mut encoder);
-        let mut writer = encoder.write_header().map_err(failed)?;
-        writer.write_image_data(pixels).map_err(failed)?;
-        writer.finish().map_err(failed)?;
+        let encode = || {
+            // A frame's sides are bounded, so they fit.
+            let mut encoder = Encoder::new(&mut bytes, self.width as u32, self.height as u32);
+            encoder.set_depth(png::BitDepth::Eight);
+            set(&mut encoder);
+            let mut writer = encoder.write_header()?;
+            write(&mut writer)?;
+            writer.finish()
+        };
+        encode().map_err(std::io::Error::other)?;
         Ok(bytes)
     }
 }

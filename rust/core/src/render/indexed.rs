@@ -1,9 +1,6 @@
 //! Few colours for small files: a thumbnail travels as text inside the G-code.
 
 use std::cmp::Reverse;
-use std::ops::AddAssign;
-
-use rayon::prelude::*;
 
 /// Colours of a palette; more are not told apart at a thumbnail's size.
 const COLOURS: usize = 64;
@@ -12,8 +9,8 @@ const COLOURS: usize = 64;
 const BITS: [u32; 4] = [4, 4, 4, 2];
 const BUCKETS: usize = 1 << (BITS[0] + BITS[1] + BITS[2] + BITS[3]);
 
-/// Pixels that a thread takes at a time.
-const CHUNK: usize = 24_000;
+/// A pixel that shows nothing, as most of a thumbnail's do.
+const EMPTY: [u8; 4] = [0; 4];
 
 /// A picture of at most [`COLOURS`] colours.
 pub(super) struct Indexed {
@@ -28,24 +25,22 @@ pub(super) struct Indexed {
 /// Reduces RGBA pixels to the most frequent colours; rare ones become the nearest of those.
 pub(super) fn reduce(rgba: &[u8]) -> Indexed {
     let pixels = rgba.as_chunks::<4>().0;
-    let counts: Vec<Vec<u32>> = pixels.par_chunks(CHUNK).map(count).collect();
-    let (index_of, colours) = indices(&sum(counts));
-    let mut indexed = vec![0; pixels.len()];
-    let chunks = indexed.par_chunks_mut(CHUNK).zip(pixels.par_chunks(CHUNK));
-    let sums = chunks.map(|(indexed, pixels)| {
-        // Sums of the channels and of the pixels of each colour.
-        let mut sums = vec![[0; 5]; colours];
-        for (index, pixel) in indexed.iter_mut().zip(pixels) {
-            *index = index_of[bucket_of(*pixel)];
-            let [r, g, b, alpha] = pixel.map(u64::from);
-            let sum: &mut [u64; 5] = &mut sums[usize::from(*index)];
-            *sum = [sum[0] + r, sum[1] + g, sum[2] + b, sum[3] + alpha, sum[4] + 1];
+    let (index_of, colours) = indices(&count(pixels));
+    // Sums of the channels and of the pixels of each colour.
+    let mut sums = vec![[0_u64; 5]; colours];
+    let empty = index_of[bucket_of(EMPTY)];
+    let mut indexed = vec![empty; pixels.len()];
+    for (index, pixel) in indexed.iter_mut().zip(pixels) {
+        if *pixel == EMPTY {
+            sums[usize::from(empty)][4] += 1;
+            continue;
         }
-        sums.into_flattened()
-    });
-    let sums = sum(sums.collect());
-    let means = sums.as_chunks::<5>().0.iter();
-    let means = means.map(|[sums @ .., n]| sums.map(|sum| ((sum + n / 2) / n) as u8));
+        *index = index_of[bucket_of(*pixel)];
+        let [r, g, b, alpha] = pixel.map(u64::from);
+        let sum = &mut sums[usize::from(*index)];
+        *sum = [sum[0] + r, sum[1] + g, sum[2] + b, sum[3] + alpha, sum[4] + 1];
+    }
+    let means = sums.iter().map(|[sums @ .., n]| sums.map(|sum| ((sum + n / 2) / n) as u8));
     let (palette, alphas): (Vec<_>, Vec<_>) = means.map(|[r, g, b, a]| ([r, g, b], a)).unzip();
     Indexed { pixels: indexed, palette: palette.concat(), alphas }
 }
@@ -53,19 +48,16 @@ pub(super) fn reduce(rgba: &[u8]) -> Indexed {
 /// The number of pixels in each bucket.
 fn count(pixels: &[[u8; 4]]) -> Vec<u32> {
     let mut counts = vec![0; BUCKETS];
+    let mut empty = 0;
     for pixel in pixels {
-        counts[bucket_of(*pixel)] += 1;
+        if *pixel == EMPTY {
+            empty += 1;
+        } else {
+            counts[bucket_of(*pixel)] += 1;
+        }
     }
+    counts[bucket_of(EMPTY)] += empty;
     counts
-}
-
-/// The sums of what stands at the same place of several rows.
-fn sum<T: Copy + AddAssign>(rows: Vec<Vec<T>>) -> Vec<T> {
-    let add = |mut a: Vec<T>, b: Vec<T>| {
-        a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
-        a
-    };
-    rows.into_iter().reduce(add).unwrap_or_default()
 }
 
 /// The palette's index of each bucket's colour, the most frequent first, and how many there are.

@@ -8,6 +8,7 @@
 
 mod bed;
 mod camera;
+mod deflate;
 mod image;
 mod indexed;
 mod raster;

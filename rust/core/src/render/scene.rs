@@ -88,12 +88,19 @@ impl Scene {
 
     /// The points that a picture must show: lines count only where there is nothing else, since
     /// travels come from far away.
-    pub(super) fn framed_points(&self) -> impl Iterator<Item = DVec3> + '_ {
+    pub(super) fn framed_points(&self) -> Vec<DVec3> {
         let is_line = |stroke: &Stroke| matches!(stroke.width, Width::Line(_));
         let only_lines = self.facets.is_empty() && self.strokes.iter().all(is_line);
-        let strokes = self.strokes.iter().filter(move |s| only_lines || !is_line(s));
-        let ends = strokes.flat_map(|s| [s.from, s.to]);
-        ends.chain(self.facets.iter().flat_map(|f| f.corners))
+        let mut points = Vec::with_capacity(self.strokes.len() + 3 * self.facets.len());
+        for stroke in self.strokes.iter().filter(|stroke| only_lines || !is_line(stroke)) {
+            // Most strands begin where the one before ends.
+            if points.last() != Some(&stroke.from) {
+                points.push(stroke.from);
+            }
+            points.push(stroke.to);
+        }
+        points.extend(self.facets.iter().flat_map(|facet| facet.corners));
+        points
     }
 }
 

@@ -22,23 +22,16 @@ const FOG: f32 = 0.66;
 /// Far things fade to this where there is no ground to fade to.
 const HAZE: f32 = 140.0;
 
-/// What light does to a tube, by its direction on the screen.
+/// What light and distance do to a short tube, by its direction on the screen.
 pub(super) struct Gloss {
     colour: [f32; 3],
     /// Lamp light on a side of the tube, and on its top.
     lamp: Vec2,
     /// The same of what shines.
     shine: Vec2,
-}
-
-impl Gloss {
-    /// A tube along `unit` on the screen, y downwards, that faces the eye in the direction
-    /// `facing`, in the camera's axes.
-    pub(super) fn new(unit: Vec2, facing: Vec3, colour: Rgb) -> Self {
-        let side = Vec3::new(-unit.y, -unit.x, 0.0);
-        let of = |light: Vec3| Vec2::new(side.dot(light), facing.dot(light));
-        Self { colour: colour.map(f32::from), lamp: of(LIGHT), shine: of(SHINE) }
-    }
+    /// What is left of its own brightness at its distance, and what haze adds.
+    clear: f32,
+    haze: f32,
 }
 
 /// Colours the samples of one picture.
@@ -74,18 +67,29 @@ impl Shader {
         bright.min(Vec3::splat(255.0)).lerp(haze, FOG * distance)
     }
 
-    /// The colours of four places on a tube, with no ground: how far across it each is and how
-    /// high, both as shares of the radius, and how near.
+    /// A tube so near, with no ground, along `unit` on the screen, y downwards, that faces the eye in
+    /// the direction `facing`, in the camera's axes.
+    pub(super) fn gloss(&self, unit: Vec2, facing: Vec3, key: f32, colour: Rgb) -> Gloss {
+        let side = Vec3::new(-unit.y, -unit.x, 0.0);
+        let of = |light: Vec3| Vec2::new(side.dot(light), facing.dot(light));
+        let fog = FOG * ((self.nearest - key) / self.depth).clamp(0.0, 1.0);
+        let colour = colour.map(f32::from);
+        Gloss { colour, lamp: of(LIGHT), shine: of(SHINE), clear: 1.0 - fog, haze: HAZE * fog }
+    }
+}
+
+impl Gloss {
+    /// The colours of four places on the tube: how far across it each is and how high, both as
+    /// shares of the radius.
     #[inline]
-    pub(super) fn tube(&self, gloss: &Gloss, across: Vec4, height: Vec4, key: Vec4) -> [Vec4; 3] {
+    pub(super) fn light(&self, across: Vec4, height: Vec4) -> [Vec4; 3] {
         let under = |light: Vec2| (across * light.x + height * light.y).max(Vec4::ZERO);
         let rim = RIM + (1.0 - RIM) * (height * (1.0 / RIM_FROM)).min(Vec4::ONE);
         let square = |v: Vec4| v * v;
-        let to_8 = square(square(square(under(gloss.shine))));
-        let fog = FOG * ((self.nearest - key) * (1.0 / self.depth)).max(Vec4::ZERO).min(Vec4::ONE);
-        let bright = (AMBIENT + DIFFUSE * under(gloss.lamp)) * rim * (1.0 - fog);
-        let added = SHINE_BY * square(to_8) * to_8 * (1.0 - fog) + HAZE * fog;
-        gloss.colour.map(|base| (base * bright + added).min(Vec4::splat(255.0)))
+        let to_8 = square(square(square(under(self.shine))));
+        let bright = (AMBIENT * self.clear + DIFFUSE * self.clear * under(self.lamp)) * rim;
+        let added = SHINE_BY * self.clear * square(to_8) * to_8 + self.haze;
+        self.colour.map(|base| (base * bright + added).min(Vec4::splat(255.0)))
     }
 }
 

@@ -9,12 +9,10 @@ use super::raster::BEHIND;
 use super::scene::Stroke;
 use super::shade::{Gloss, Shader};
 use super::stroke::{Capsule, HALO, HALO_DEPTH};
-use super::tiles::{SIDE, within};
+use super::tiles::within;
 
 /// Pixels that are blended at a time.
 pub(super) const LANES: usize = 4;
-/// Blocks in a row of a tile.
-pub(super) const ROW: usize = SIDE / LANES;
 /// The middles of a block's pixels, from its left end.
 const MIDDLES: Vec4 = Vec4::new(0.5, 1.5, 2.5, 3.5);
 /// From the edge of a strand to where it covers all of a pixel, or nothing, pixels.
@@ -55,16 +53,48 @@ impl Block {
     }
 }
 
+/// Some rows of a picture in the making.
+pub(super) struct Band {
+    /// The upper edge of the first row.
+    top: f32,
+    width: usize,
+    height: usize,
+    /// Blocks in a row.
+    row: usize,
+    blocks: Vec<Block>,
+}
+
+impl Band {
+    /// So many empty rows from `top` on, each `width` pixels wide.
+    pub(super) fn new(top: f32, width: usize, height: usize) -> Self {
+        let row = width.div_ceil(LANES);
+        Self { top, width, height, row, blocks: vec![Block::EMPTY; row * height] }
+    }
+
+    /// The blocks of each row.
+    pub(super) fn lines(&self) -> impl Iterator<Item = &[Block]> {
+        self.blocks.chunks(self.row)
+    }
+}
+
 /// A strand on the screen; lengths in pixels, y downwards.
 pub(super) struct SoftStroke {
-    pub(super) capsule: Capsule,
+    from: Vec2,
     /// The way along it, and how far.
     unit: Vec2,
     length: f32,
-    /// What radius and nearness gain per pixel along it.
-    radius_slope: f32,
+    /// The rows and columns that it may touch; where its axis crosses a row, and how far beside
+    /// that it reaches ([`Capsule::span`]).
+    pub(super) rows: [f32; 2],
+    columns: [f32; 2],
+    slope: f32,
+    breadth: f32,
+    /// How near its axis begins, and what that gains per pixel along it.
+    key: f32,
     key_slope: f32,
-    /// Nearness that one pixel of radius adds.
+    /// Its radius: thumbnails are too small to show that it grows towards the eye.
+    radius: f32,
+    /// Nearness that the radius adds.
     bulge: f32,
     /// 1 / half of the width that light sees: up to where the edge ends, or it would be all dark.
     inverse_width: f32,
@@ -72,41 +102,51 @@ pub(super) struct SoftStroke {
 }
 
 impl SoftStroke {
-    /// The strand as the projector shows it; `None` behind the camera.
-    pub(super) fn new(stroke: &Stroke, projector: &Projector) -> Option<Self> {
+    /// The strand as the projector shows it, and how near its middle is; `None` behind the camera.
+    pub(super) fn new(
+        stroke: &Stroke,
+        projector: &Projector,
+        shader: &Shader,
+    ) -> Option<(f32, Self)> {
         let capsule = Capsule::new(stroke, projector, 1.0, EDGE)?;
         let length = capsule.along.length();
         let (unit, share) =
             if length > 1e-3 { (capsule.along / length, 1.0 / length) } else { (Vec2::X, 0.0) };
-        Some(Self {
+        let radius = capsule.radius + capsule.radius_step / 2.0;
+        let nearness = capsule.key + capsule.key_step / 2.0;
+        let soft = Self {
+            from: capsule.from,
             unit,
             length,
-            radius_slope: capsule.radius_step * share,
+            rows: capsule.rows(),
+            columns: capsule.box_x,
+            slope: capsule.slope,
+            breadth: capsule.breadth,
+            key: capsule.key,
             key_slope: capsule.key_step * share,
-            bulge: capsule.bulge + capsule.bulge_step / 2.0,
-            inverse_width: 1.0 / (capsule.radius + capsule.radius_step / 2.0 + EDGE),
-            gloss: Gloss::new(unit, capsule.facing, stroke.colour),
-            capsule,
-        })
+            radius,
+            bulge: radius * (capsule.bulge + capsule.bulge_step / 2.0),
+            inverse_width: 1.0 / (radius + EDGE),
+            gloss: shader.gloss(unit, capsule.facing, nearness, stroke.colour),
+        };
+        Some((nearness, soft))
     }
 
-    /// How near its middle is.
-    pub(super) fn nearness(&self) -> f32 {
-        self.capsule.key + self.capsule.key_step / 2.0
-    }
-
-    /// Blends the strand into the tile that begins at `origin`.
-    pub(super) fn blend(&self, origin: Vec2, tile: &mut [Block], shader: &Shader) {
-        let from = self.capsule.from - origin;
-        for row in within(self.capsule.rows(), origin.y, SIDE) {
+    /// Blends the strand into a band.
+    pub(super) fn blend(&self, band: &mut Band) {
+        let from = self.from - Vec2::new(0.0, band.top);
+        for row in within(self.rows, band.top, band.height) {
             let y = row as f32 + 0.5;
-            let columns = within(self.capsule.span(origin.y + y), origin.x, SIDE);
+            let middle = from.x + (y - from.y) * self.slope;
+            let [left, right] = self.columns;
+            let span = [(middle - self.breadth).max(left), (middle + self.breadth).min(right)];
+            let columns = within(span, 0.0, band.width);
             let blocks = columns.start / LANES..columns.end.div_ceil(LANES);
             let start = Vec2::new((blocks.start * LANES) as f32, y) - from;
             let mut along = self.unit.dot(start) + MIDDLES * self.unit.x;
             let mut across = self.unit.perp_dot(start) - MIDDLES * self.unit.y;
-            for block in &mut tile[row * ROW..][blocks] {
-                self.draw(block, along, across, shader);
+            for block in &mut band.blocks[row * band.row..][blocks] {
+                self.draw(block, along, across);
                 along += LANES as f32 * self.unit.x;
                 across -= LANES as f32 * self.unit.y;
             }
@@ -115,23 +155,18 @@ impl SoftStroke {
 
     /// Blends the strand into pixels so far along and across its axis.
     #[inline]
-    fn draw(&self, block: &mut Block, along: Vec4, across: Vec4, shader: &Shader) {
-        let capsule = &self.capsule;
+    fn draw(&self, block: &mut Block, along: Vec4, across: Vec4) {
         let inside = along.max(Vec4::ZERO).min(Vec4::splat(self.length));
         let beyond = along - inside;
         let away2 = across * across + beyond * beyond;
-        let radius = capsule.radius + inside * self.radius_slope;
-        let axis = capsule.key + inside * self.key_slope;
-        let share = |radius: Vec4| (radius + EDGE - away2.sqrt()).max(Vec4::ZERO).min(Vec4::ONE);
+        let axis = self.key + inside * self.key_slope;
+        let away = away2.sqrt();
+        let share = |reach: f32| (reach + EDGE - away).max(Vec4::ZERO).min(Vec4::ONE);
         let cleared =
-            block.nearer(axis - radius * (self.bulge * HALO_DEPTH), share(radius * (1.0 + HALO)));
+            block.nearer(axis - self.bulge * HALO_DEPTH, share(self.radius * (1.0 + HALO)));
         let height2 = 1.0 - away2 * (self.inverse_width * self.inverse_width);
         let height = height2.max(Vec4::ZERO).sqrt();
-        let covered = block.nearer(axis + height * radius * self.bulge, share(radius));
-        block.lay(
-            cleared,
-            covered,
-            shader.tube(&self.gloss, across * self.inverse_width, height, axis),
-        );
+        let covered = block.nearer(axis + height * self.bulge, share(self.radius));
+        block.lay(cleared, covered, self.gloss.light(across * self.inverse_width, height));
     }
 }

@@ -75,7 +75,14 @@ impl Strands {
     /// The strands and travels of a toolpath; a label for each kind, `filament_diameter` in mm.
     #[must_use]
     pub fn from_toolpath(toolpath: &Toolpath, labels: Vec<String>, filament_diameter: f64) -> Self {
-        let mut strands = Self { labels, ..Self::default() };
+        let moves = toolpath.to.len();
+        let mut strands = Self {
+            segments: Vec::with_capacity(moves),
+            diameters: Vec::with_capacity(moves),
+            features: Vec::with_capacity(moves),
+            labels,
+            ..Self::default()
+        };
         let mut from = toolpath.start;
         for ((&to, &kind), &filament) in
             toolpath.to.iter().zip(&toolpath.kind).zip(&toolpath.filament)
@@ -113,6 +120,7 @@ impl Strands {
     /// Adds to a scene the strands whose label has a colour, and the travels if they have one.
     pub fn add_to(&self, scene: &mut Scene, palette: &[Option<Rgb>], travel: Option<Rgb>) {
         let strands = self.segments.iter().zip(&self.diameters).zip(&self.features);
+        scene.strokes.reserve(self.segments.len());
         for ((&[from, to], diameter), &feature) in strands {
             if let Some(colour) = palette.get(usize::from(feature)).copied().flatten() {
                 let width = Width::Tube(diameter / 2.0);

@@ -31,9 +31,9 @@ pub(super) struct Capsule {
     /// Half of the greatest width with the halo, samples.
     reach: f32,
     /// Columns that the axis advances per row, or 0 where it is level.
-    slope: f32,
+    pub(super) slope: f32,
     /// Half of the columns within reach of the axis's line in a row; infinite where it is level.
-    breadth: f32,
+    pub(super) breadth: f32,
     /// The columns that the stroke touches.
     pub(super) box_x: [f32; 2],
     /// The side of the tube that faces the eye, in the camera's axes.

@@ -1,8 +1,9 @@
 //! Small pictures of strands, painted from far to near.
 
 use std::cmp::Reverse;
+use std::sync::{Mutex, PoisonError};
 
-use glam::{Vec2, Vec4};
+use glam::Vec4;
 use rayon::prelude::*;
 
 use super::camera::{Camera, Projector};
@@ -10,19 +11,22 @@ use super::image::{Frame, Image};
 use super::scene::Scene;
 use super::shade::Shader;
 use super::shrink::{can_shrink, shrink};
-use super::soft::{Block, LANES, ROW, SoftStroke};
-use super::tiles::{SIDE, Tiles, touched};
+use super::soft::{Band, Block, LANES, SoftStroke};
+use super::tiles::touched;
 use crate::error::Result;
 
 /// Strokes that a thread takes at a time: fewer are not worth waking it.
 const FEWEST: usize = 1024;
+/// Rows of pixels that a task paints.
+const ROWS: usize = 8;
 
-/// The strands of a scene on the screen, sorted into tiles.
-struct Canvas<'a> {
-    strokes: Vec<SoftStroke>,
-    tiles: Tiles,
-    shader: Shader,
-    frame: &'a Frame,
+/// The strands of a scene on the screen.
+struct Canvas {
+    /// How near the middle of each is, and itself; `None` behind the camera.
+    strokes: Vec<Option<(f32, SoftStroke)>>,
+    /// Those that may touch each band of [`ROWS`]: how near they are, and their numbers.
+    bands: Vec<Vec<u64>>,
+    width: usize,
 }
 
 /// Small PNG files of a scene's strokes; a much smaller picture is a larger one, scaled down.
@@ -52,66 +56,63 @@ fn source<'a>(painted: &'a [Image], frame: &Frame) -> Option<&'a Image> {
     painted.iter().find(fits)
 }
 
-/// Paints a scene's strokes, one band of tiles per task.
+/// Paints a scene's strokes band by band, on all threads but one: the text of the file is written
+/// beside it.
 fn paint(scene: &Scene, camera: &Camera, frame: &Frame) -> Image {
     let projector = Projector::fit(camera, &[scene], frame);
     let canvas = Canvas::new(scene, &projector, frame);
     let mut rgba = vec![0_u8; frame.width * frame.height * 4];
-    rgba.par_chunks_mut(frame.width * 4 * SIDE)
-        .enumerate()
-        .for_each(|(row, band)| canvas.paint_band(row, band));
+    let bands = Mutex::new(rgba.chunks_mut(frame.width * 4 * ROWS).enumerate());
+    let next = || bands.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let paint = || {
+        while let Some((number, band)) = next() {
+            canvas.paint_band(number, band);
+        }
+    };
+    rayon::scope(|scope| {
+        for _ in 2..rayon::current_num_threads() {
+            scope.spawn(|_| paint());
+        }
+        paint();
+    });
     Image { width: frame.width, height: frame.height, rgba, px_per_mm: projector.scale() }
 }
 
-impl<'a> Canvas<'a> {
-    fn new(scene: &Scene, projector: &Projector, frame: &'a Frame) -> Self {
-        let seen = scene.strokes.par_iter().with_min_len(FEWEST);
-        let strokes: Vec<SoftStroke> =
-            seen.filter_map(|stroke| SoftStroke::new(stroke, projector)).collect();
-        let order = far_to_near(&strokes);
-        let (columns, rows) = (frame.width.div_ceil(SIDE), frame.height.div_ceil(SIDE));
-        let tiles = Tiles::sort(
-            order.iter().map(|&i| (i, &strokes[i as usize])),
-            columns,
-            rows,
-            |stroke, put| {
-                for y in touched(stroke.capsule.rows(), SIDE, rows) {
-                    touched(stroke.capsule.box_x, SIDE, columns).for_each(|x| put(x, y));
-                }
-            },
-        );
+impl Canvas {
+    fn new(scene: &Scene, projector: &Projector, frame: &Frame) -> Self {
         let shader = Shader::new(projector.nearest(), projector.depth(), frame.ground);
-        Self { strokes, tiles, shader, frame }
-    }
-
-    fn paint_band(&self, row: usize, band: &mut [u8]) {
-        let width = self.frame.width;
-        let mut blocks = [Block::EMPTY; SIDE * ROW];
-        for column in 0..width.div_ceil(SIDE) {
-            let strokes = self.tiles.at(column, row);
-            if strokes.is_empty() {
-                continue;
-            }
-            blocks.fill(Block::EMPTY);
-            let origin = Vec2::new((column * SIDE) as f32, (row * SIDE) as f32);
-            for &index in strokes {
-                self.strokes[index as usize].blend(origin, &mut blocks, &self.shader);
-            }
-            let columns = column * SIDE * 4..((column + 1) * SIDE).min(width) * 4;
-            for (line, blocks) in band.chunks_mut(width * 4).zip(blocks.chunks(ROW)) {
-                write(blocks, &mut line[columns.clone()]);
+        let seen = scene.strokes.par_iter().with_min_len(FEWEST);
+        let stroke = |stroke| SoftStroke::new(stroke, projector, &shader);
+        let strokes: Vec<Option<(f32, SoftStroke)>> = seen.map(stroke).collect();
+        let count = frame.height.div_ceil(ROWS);
+        let mut bands = vec![Vec::new(); count];
+        for (index, stroke) in (0_u64..).zip(&strokes) {
+            let Some((nearness, stroke)) = stroke else { continue };
+            // Keys are distinct, so that an unstable sort has one outcome.
+            let key = ordered(*nearness) << 32 | index;
+            for band in touched(stroke.rows, ROWS, count) {
+                bands[band].push(key);
             }
         }
+        Self { strokes, bands, width: frame.width }
     }
-}
 
-/// Indices of strokes, the farthest first.
-fn far_to_near(strokes: &[SoftStroke]) -> Vec<u32> {
-    // Keys are distinct, so that an unstable sort has one outcome.
-    let mut keys: Vec<u64> =
-        (0_u64..).zip(strokes).map(|(i, s)| ordered(s.nearness()) << 32 | i).collect();
-    keys.par_sort_unstable();
-    keys.into_iter().map(|key| key as u32).collect()
+    fn paint_band(&self, number: usize, rgba: &mut [u8]) {
+        if self.bands[number].is_empty() {
+            return;
+        }
+        let mut band = Band::new((number * ROWS) as f32, self.width, ROWS);
+        let mut far_to_near = self.bands[number].clone();
+        far_to_near.sort_unstable();
+        for key in far_to_near {
+            if let Some((_, stroke)) = &self.strokes[key as u32 as usize] {
+                stroke.blend(&mut band);
+            }
+        }
+        for (line, blocks) in rgba.chunks_mut(self.width * 4).zip(band.lines()) {
+            write(blocks, line);
+        }
+    }
 }
 
 /// A whole number that grows with `value`.

@@ -53,8 +53,10 @@ const FLAT_STEP: f64 = 0.01;
 #[must_use]
 pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
     let order = Order::new(mesh);
-    let (join, split) = rayon::join(|| sweep(&order, Sweep::Up), || sweep(&order, Sweep::Down));
-    let mut found = flats(mesh, least * least);
+    let ((join, split), (mut found, saddles)) = rayon::join(
+        || rayon::join(|| sweep(&order, Sweep::Up), || sweep(&order, Sweep::Down)),
+        || (flats(mesh, least * least), saddles(mesh, &order)),
+    );
     let mut paired = vec![0_u32; mesh.vertices.len()];
     for (sweep, end) in [(&join, FeatureKind::Minimum), (&split, FeatureKind::Maximum)] {
         for pair in sweep {
@@ -70,7 +72,7 @@ pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
             }
         }
     }
-    for (v, multiplicity) in saddles(mesh, &order).into_iter().enumerate() {
+    for (v, multiplicity) in saddles.into_iter().enumerate() {
         if multiplicity > paired[v] {
             found.push(Feature::at(mesh.vertices[v].z, FeatureKind::Saddle, f64::INFINITY));
         }

@@ -24,6 +24,8 @@ const CHUNK: usize = 1 << 16;
 
 /// A number for each kind: laid side by side, so that sums over all kinds are taken at once.
 type Kinds = [f64; KINDS];
+/// The same for many questions: to seven digits, of which a task takes twice as many at once.
+type Rough = [f32; KINDS];
 
 /// The faces of one layer, by kind.
 #[derive(Debug, Clone, Copy)]
@@ -54,11 +56,11 @@ impl Layer {
 pub struct Profile {
     ladder: Ladder,
     /// Area of each layer by kind, mm².
-    areas: Vec<Kinds>,
+    areas: Vec<Rough>,
     /// How far out each kind has come where a layer begins, mm; one more than there are layers.
-    reaches: Vec<Kinds>,
+    reaches: Vec<Rough>,
     /// The same halfway up each layer.
-    middles: Vec<Kinds>,
+    middles: Vec<Rough>,
 }
 
 impl Profile {
@@ -80,8 +82,8 @@ impl Profile {
             })
             .collect();
         let (mut areas, mut middles) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        let mut reaches = vec![[0.0; KINDS]];
         let mut reach = [0.0; KINDS];
+        let mut reaches = vec![rough(&reach)];
         for i in 0..count {
             let layer = parts.iter().fold(Layer::EMPTY, |sum, part| sum.plus(&part[i]));
             let low = reach;
@@ -89,9 +91,9 @@ impl Profile {
             for (reach, (outward, upright)) in reach.iter_mut().zip(faces) {
                 *reach += if *upright > 0.0 { outward / upright * step } else { 0.0 };
             }
-            areas.push(layer.area);
-            middles.push(std::array::from_fn(|kind| 0.5 * (low[kind] + reach[kind])));
-            reaches.push(reach);
+            areas.push(rough(&layer.area));
+            middles.push(rough(&std::array::from_fn(|kind| 0.5 * (low[kind] + reach[kind]))));
+            reaches.push(rough(&reach));
         }
         Self { ladder, areas, reaches, middles }
     }
@@ -105,27 +107,32 @@ impl Profile {
         let last = self.ladder.layer(to - 0.5 * step).max(first);
         let count = (last - first + 1) as f64;
         let (begin, end) = (&self.reaches[first], &self.reaches[last + 1]);
-        let (mut sums, mut areas) = ([0.0; KINDS], [0.0; KINDS]);
+        let leans: Rough = std::array::from_fn(|kind| end[kind] - begin[kind]);
+        let (mut sums, mut areas): (Rough, Rough) = ([0.0; KINDS], [0.0; KINDS]);
         for (i, (area, middle)) in
             self.areas.iter().zip(&self.middles).enumerate().take(last + 1).skip(first)
         {
-            let share = ((i - first) as f64 + 0.5) / count;
+            let share = (((i - first) as f64 + 0.5) / count) as f32;
             for kind in 0..KINDS {
-                let chord = begin[kind] + share * (end[kind] - begin[kind]);
+                let chord = begin[kind] + share * leans[kind];
                 sums[kind] += area[kind] * (middle[kind] - chord).abs();
                 areas[kind] += area[kind];
             }
         }
-        let leans: Kinds = std::array::from_fn(|kind| end[kind] - begin[kind]);
-        for (sum, lean) in sums.iter_mut().zip(&leans) {
+        let (mut sum, mut all, mut leaning) = (0.0, 0.0, 0.0);
+        for ((away, area), lean) in sums.iter().zip(&areas).zip(&leans) {
+            let [away, area, lean] = [away, area, lean].map(|v| f64::from(*v));
             let slope = lean / (count * step);
-            *sum /= (1.0 + slope * slope).sqrt();
+            sum += away / (1.0 + slope * slope).sqrt();
+            all += area;
+            leaning += area * (lean.abs() / longest - 1.0).max(0.0);
         }
-        let excess = |(area, lean): (&f64, &f64)| area * (lean.abs() / longest - 1.0).max(0.0);
-        let leaning = areas.iter().zip(&leans).map(excess).sum();
-        let (sum, area): (f64, f64) = (sums.iter().sum(), areas.iter().sum());
-        (if area > 0.0 { sum / area } else { 0.0 }, leaning)
+        (if all > 0.0 { sum / all } else { 0.0 }, leaning)
     }
+}
+
+fn rough(kinds: &Kinds) -> Rough {
+    kinds.map(|v| v as f32)
 }
 
 /// Layers of equal height, one above the other.

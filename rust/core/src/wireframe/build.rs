@@ -5,7 +5,6 @@
 //! support for what has no wall of its own below.
 
 use glam::{DVec2, DVec3};
-use rayon::prelude::*;
 
 use super::builder::{Builder, Course, SAME};
 use super::columns::{self, Wants};
@@ -13,8 +12,8 @@ use super::curve::Curve;
 use super::guide::{Guide, Spokes};
 use super::posts::Post;
 use super::rim::Rim;
-use super::slab::Top;
 use super::strips::Strip;
+use super::tops::Tops;
 use super::trial::{Costs, costs};
 use super::waiting::Waiting;
 use super::{Kind, Layered, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
@@ -59,7 +58,7 @@ pub struct Build<'a> {
     pub(super) p: &'a WireParams,
     pub(super) head: &'a Head,
     /// What ends each slab.
-    pub(super) tops: &'a [Top],
+    pub(super) tops: &'a Tops<'a>,
     pub(super) out: Builder<'a>,
     pub(super) posts: Vec<PlacedPost>,
     pub(super) unprinted: Vec<Unprinted>,
@@ -167,11 +166,7 @@ fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide) -> Laid {
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(1.0, f64::max);
     let out = Builder::new(head, p.strand, head.clearance(tallest), low, high);
-    let slabs = 0..sliced.levels.len().saturating_sub(1);
-    let tops: Vec<Top> = slabs
-        .into_par_iter()
-        .map(|slab| Top::new(sliced, layered.slab(slab), head, slab))
-        .collect();
+    let tops = Tops::new(sliced, layered, head);
     let mut build = Build {
         sliced,
         layered,
@@ -188,7 +183,10 @@ fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide) -> Laid {
         guide,
         spokes: Vec::new(),
     };
-    build.run();
+    rayon::scope(|scope| {
+        scope.spawn(|_| tops.gather());
+        build.run();
+    });
     let Build { out, posts, unprinted, wants, sag, wanting, spokes, .. } = build;
     Laid { posts, strands: out.strands, unprinted, wants, sag, wanting, spokes }
 }

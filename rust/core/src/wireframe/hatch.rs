@@ -65,8 +65,9 @@ pub fn bridges(
         let count = (((high - low) / spacing).ceil() as usize).max(2);
         let row = |k: usize| {
             let level = low + (high - low) * (k as f64 + 0.5) / count as f64;
-            lines(rims, along, level)
+            lines(rims, along, &[level])
                 .into_iter()
+                .flatten()
                 .find(|l| l[0].dot(along) < right && l[1].dot(along) > left)
         };
         let Some(found) = (0..count).map(row).collect::<Option<Row>>() else { continue };
@@ -94,37 +95,38 @@ fn rows(rims: &[Vec<DVec2>], along: DVec2, spacing: f64) -> Vec<Row> {
     // Rows at even distances from each other and from the region's ends.
     let count = ((high - low) / spacing - 0.2).ceil().max(0.0);
     let pitch = (high - low) / (count + 1.0);
-    (1..=count as usize)
-        .map(|i| {
-            let mut row = lines(rims, along, low + pitch * i as f64);
-            row.retain(|l| l[0].distance(l[1]) > 0.25 * spacing);
-            row
-        })
-        .collect()
+    let levels: Vec<f64> = (1..=count as usize).map(|i| low + pitch * i as f64).collect();
+    let mut rows = lines(rims, along, &levels);
+    for row in &mut rows {
+        row.retain(|l| l[0].distance(l[1]) > 0.25 * spacing);
+    }
+    rows
 }
 
-/// The parts within an odd number of rims of the line at distance `level` from the origin.
-fn lines(rims: &[Vec<DVec2>], along: DVec2, level: f64) -> Row {
+/// The parts within an odd number of rims of each of the lines at these distances from the origin,
+/// which ascend.
+fn lines(rims: &[Vec<DVec2>], along: DVec2, levels: &[f64]) -> Vec<Row> {
     let across = along.perp();
-    let mut hits: Vec<f64> =
-        rims.iter().flat_map(|rim| crossings(rim, along, across, level)).collect();
-    hits.sort_by(f64::total_cmp);
-    hits.chunks_exact(2)
-        .map(|x| [along * x[0] + across * level, along * x[1] + across * level])
-        .collect()
-}
-
-/// Where a closed polygon crosses the row, as coordinates along it; a vertex on the row counts
-/// as above it.
-fn crossings(rim: &[DVec2], along: DVec2, across: DVec2, level: f64) -> Vec<f64> {
-    let count = rim.len();
-    (0..count)
-        .filter_map(|i| {
-            let (a, b) = (rim[i], rim[(i + 1) % count]);
-            let (ha, hb) = (a.dot(across) - level, b.dot(across) - level);
-            ((ha < 0.0) != (hb < 0.0)).then(|| a.lerp(b, ha / (ha - hb)).dot(along))
-        })
-        .collect()
+    let mut hits: Vec<Vec<f64>> = vec![Vec::new(); levels.len()];
+    for rim in rims {
+        let ends = rim.iter().zip(rim.iter().cycle().skip(1));
+        for (&a, &b) in ends {
+            let (ha, hb) = (a.dot(across), b.dot(across));
+            // A vertex on a line counts as above it.
+            let first = levels.partition_point(|level| *level <= ha.min(hb));
+            let crossed = levels[first..].iter().take_while(|level| **level <= ha.max(hb));
+            for (hits, level) in hits[first..].iter_mut().zip(crossed) {
+                let (da, db) = (ha - level, hb - level);
+                hits.push(a.lerp(b, da / (da - db)).dot(along));
+            }
+        }
+    }
+    let row = |(mut hits, level): (Vec<f64>, &f64)| -> Row {
+        hits.sort_by(f64::total_cmp);
+        let ends = hits.chunks_exact(2);
+        ends.map(|x| [along * x[0] + across * *level, along * x[1] + across * *level]).collect()
+    };
+    hits.into_iter().zip(levels).map(row).collect()
 }
 
 /// Joins lines of successive rows to and fro where their near ends lie within `reach` mm.

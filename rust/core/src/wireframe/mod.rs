@@ -19,6 +19,7 @@ mod segments;
 mod slab;
 mod sliced;
 pub mod strips;
+mod tops;
 mod tour;
 mod trial;
 mod waiting;

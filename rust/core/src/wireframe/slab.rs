@@ -99,8 +99,7 @@ fn all_layers<'a>(
 impl Build<'_> {
     /// Prints one slab; gives what stands at its top.
     pub(super) fn slab(&mut self, slab: usize, ground: &mut Ground) -> Ground {
-        let tops = self.tops;
-        let top = &tops[slab];
+        let top = self.tops.get(slab);
         let jobs = self.jobs(top, &ground.rims);
         if !self.guide.is_empty() {
             return self.slab_in(Order::Guided, top, &jobs, ground);

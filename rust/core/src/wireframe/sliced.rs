@@ -54,7 +54,6 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
             upper: &lower[k],
         })
         .collect();
-    let strips = all_strips(mesh, &slabs);
     let top = levels.len() - 1;
     let steps: Vec<usize> =
         (0..=top).filter(|&k| k == 0 || k == top || !same(&lower[k], &upper[k])).collect();
@@ -67,8 +66,9 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
             upper: if k == top && k > 0 { &[] } else { &upper[k] },
         })
         .collect();
+    let (strips, found) = rayon::join(|| all_strips(mesh, &slabs), || all_ledges(mesh, &ranges));
     let mut ledges: Vec<Option<Vec<Strip>>> = vec![None; levels.len()];
-    for (k, found) in steps.iter().zip(all_ledges(mesh, &ranges)) {
+    for (k, found) in steps.iter().zip(found) {
         ledges[*k] = Some(found);
     }
     Ok(Sliced { levels, lower, upper, strips, ledges })
