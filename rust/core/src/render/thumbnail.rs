@@ -31,12 +31,12 @@ struct Canvas {
 
 /// Small PNG files of a scene's strokes; a much smaller picture is a larger one, scaled down.
 pub(super) fn files(scene: &Scene, camera: &Camera, frames: &[Frame]) -> Result<Vec<Vec<u8>>> {
-    let mut largest_first: Vec<&Frame> = frames.iter().collect();
-    largest_first.sort_by_key(|frame| Reverse(frame.width));
+    let mut largest_first: Vec<usize> = (0..frames.len()).collect();
+    largest_first.sort_by_key(|&i| Reverse(frames[i].width));
     let mut painted: Vec<Image> = Vec::new();
-    for frame in largest_first {
-        if source(&painted, frame).is_none() {
-            painted.push(paint(scene, camera, frame));
+    for &i in &largest_first {
+        if source(&painted, &frames[i]).is_none() {
+            painted.push(paint(scene, camera, &frames[i]));
         }
     }
     let file = |frame: &Frame| match source(&painted, frame) {
@@ -44,7 +44,11 @@ pub(super) fn files(scene: &Scene, camera: &Camera, frames: &[Frame]) -> Result<
         Some(larger) => shrink(larger, frame.width, frame.height).thumbnail_png(),
         None => paint(scene, camera, frame).thumbnail_png(),
     };
-    frames.par_iter().map(file).collect()
+    // This thread begins with the largest file at once; others take the rest when they are awake.
+    let files = largest_first.par_iter().map(|&i| Ok((i, file(&frames[i])?)));
+    let mut files: Vec<(usize, Vec<u8>)> = files.collect::<Result<_>>()?;
+    files.sort_by_key(|file| file.0);
+    Ok(files.into_iter().map(|file| file.1).collect())
 }
 
 /// The picture that fills a frame or that can be scaled down to it.
