@@ -5,25 +5,35 @@ use std::io::{Result, Write};
 use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use rayon::prelude::*;
+use simd_adler32::Adler32;
 
-/// Bytes of a part, a window of the format; fixed, so that any number of threads gives the same.
-const PART: usize = 1 << 15;
+/// Bytes of a usual part: a window of the format.
+pub(super) const PART: usize = 1 << 15;
 /// What begins a stream: deflated with a window of 32 KiB, quickly (RFC 1950, 2.2).
 const HEADER: [u8; 2] = [0x78, 0x01];
 
-/// A zlib stream (RFC 1950) of `data`, compressed with an effort of 1 to 9.
+/// A zlib stream (RFC 1950) of so many parts, compressed with an effort of 1 to 9, and what else
+/// `part` gives with the bytes of each: it makes them where they are compressed.
 ///
 /// # Errors
 /// Where the encoder fails.
-pub(super) fn zlib(data: &[u8], effort: u32) -> Result<Vec<u8>> {
-    let count = data.len().div_ceil(PART);
-    let parts = data.par_chunks(PART).enumerate();
-    let parts: Vec<Vec<u8>> =
-        parts.map(|(i, part)| deflated(part, effort, i + 1 == count)).collect::<Result<_>>()?;
-    let mut stream = HEADER.to_vec();
-    stream.extend(parts.into_iter().flatten());
-    stream.extend(simd_adler32::adler32(&data).to_be_bytes());
-    Ok(stream)
+pub(super) fn zlib<T: Send>(
+    count: usize,
+    effort: u32,
+    part: impl Fn(usize) -> (Vec<u8>, T) + Sync,
+) -> Result<(Vec<u8>, Vec<T>)> {
+    let packed = (0..count).into_par_iter().with_max_len(1).map(|i| {
+        let (data, other) = part(i);
+        Ok((deflated(&data, effort, i + 1 == count)?, data, other))
+    });
+    let (mut stream, mut sum, mut others) = (HEADER.to_vec(), Adler32::new(), Vec::new());
+    for (packed, data, other) in packed.collect::<Result<Vec<_>>>()? {
+        stream.extend(packed);
+        sum.write(&data);
+        others.push(other);
+    }
+    stream.extend(sum.finish().to_be_bytes());
+    Ok((stream, others))
 }
 
 /// A part of a stream: unless it is the last one, it ends on a whole byte and another may follow.
@@ -53,9 +63,12 @@ mod tests {
             times in 1..800_usize,
         ) {
             let data = run.repeat(times);
+            let parts: Vec<&[u8]> = data.chunks(PART).collect();
+            let (stream, numbers) = zlib(parts.len(), 1, |i| (parts[i].to_vec(), i))?;
             let mut back = Vec::new();
-            ZlibDecoder::new(&zlib(&data, 1)?[..]).read_to_end(&mut back)?;
+            ZlibDecoder::new(&stream[..]).read_to_end(&mut back)?;
             prop_assert!(back == data);
+            prop_assert!(numbers.into_iter().eq(0..parts.len()));
         }
     }
 }

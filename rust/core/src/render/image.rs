@@ -1,7 +1,7 @@
 //! The frame of a picture and its pixels.
 
-use super::deflate::zlib;
-use super::indexed::{self, Indexed};
+use super::deflate::{PART, zlib};
+use super::indexed::Colours;
 use super::scene::Rgb;
 use crate::error::{CoreError, Result};
 
@@ -87,25 +87,26 @@ impl Image {
     /// # Errors
     /// [`CoreError::Io`] where the encoder fails.
     pub fn thumbnail_png(&self) -> Result<Vec<u8>> {
-        let Indexed { pixels, palette, alphas } = indexed::reduce(&self.rgba);
-        let data = self.deflated(&pixels)?;
+        let colours = Colours::of(&self.rgba);
+        // The encoder takes row by row and clears a buffer for each, so it gets the finished data.
+        let lines = (PART / self.width).max(1);
+        let part = |i: usize| {
+            let pixels = self.rgba.chunks(self.width * 4).skip(i * lines).take(lines);
+            let (mut rows, mut sums) = (Vec::with_capacity(PART + lines), colours.sums());
+            for line in pixels {
+                rows.push(NO_FILTER);
+                colours.index(line, &mut rows, &mut sums);
+            }
+            (rows, sums)
+        };
+        let (data, sums) = zlib(self.height.div_ceil(lines), DEFLATE, part)?;
+        let (palette, alphas) = colours.palette(&sums);
         let set = |encoder: &mut Encoder| {
             encoder.set_color(png::ColorType::Indexed);
             encoder.set_palette(palette);
             encoder.set_trns(alphas);
         };
         self.encode(set, |writer| writer.write_chunk(png::chunk::IDAT, &data))
-    }
-
-    /// Rows of one byte a pixel as the data of a PNG file, unfiltered. In one go: the encoder takes
-    /// row by row and clears a buffer for each.
-    fn deflated(&self, pixels: &[u8]) -> Result<Vec<u8>> {
-        let mut rows = Vec::with_capacity((self.width + 1) * self.height);
-        for row in pixels.chunks(self.width) {
-            rows.push(NO_FILTER);
-            rows.extend_from_slice(row);
-        }
-        Ok(zlib(&rows, DEFLATE)?)
     }
 
     /// Writes a PNG file of one byte a channel: `set` chooses the colours, `write` the pixels.

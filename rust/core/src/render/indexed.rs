@@ -12,37 +12,56 @@ const BUCKETS: usize = 1 << (BITS[0] + BITS[1] + BITS[2] + BITS[3]);
 /// A pixel that shows nothing, as most of a thumbnail's do.
 const EMPTY: [u8; 4] = [0; 4];
 
-/// A picture of at most [`COLOURS`] colours.
-pub(super) struct Indexed {
-    /// Index of each pixel's colour.
-    pub pixels: Vec<u8>,
-    /// Red, green and blue of each colour.
-    pub palette: Vec<u8>,
-    /// Alpha of each colour.
-    pub alphas: Vec<u8>,
+/// The most frequent colours of a picture, at most [`COLOURS`]; rare ones become the nearest of those.
+pub(super) struct Colours {
+    /// The number of the colour that stands for each bucket.
+    index_of: Vec<u8>,
+    count: usize,
 }
 
-/// Reduces RGBA pixels to the most frequent colours; rare ones become the nearest of those.
-pub(super) fn reduce(rgba: &[u8]) -> Indexed {
-    let pixels = rgba.as_chunks::<4>().0;
-    let (index_of, colours) = indices(&count(pixels));
-    // Sums of the channels and of the pixels of each colour.
-    let mut sums = vec![[0_u64; 5]; colours];
-    let empty = index_of[bucket_of(EMPTY)];
-    let mut indexed = vec![empty; pixels.len()];
-    for (index, pixel) in indexed.iter_mut().zip(pixels) {
-        if *pixel == EMPTY {
-            sums[usize::from(empty)][4] += 1;
-            continue;
-        }
-        *index = index_of[bucket_of(*pixel)];
-        let [r, g, b, alpha] = pixel.map(u64::from);
-        let sum = &mut sums[usize::from(*index)];
-        *sum = [sum[0] + r, sum[1] + g, sum[2] + b, sum[3] + alpha, sum[4] + 1];
+/// For each colour, the sums of the channels of its pixels, and their number.
+pub(super) type Sums = Vec<[u64; 5]>;
+
+impl Colours {
+    /// Those of RGBA pixels.
+    pub(super) fn of(rgba: &[u8]) -> Self {
+        let (index_of, count) = indices(&count(rgba.as_chunks::<4>().0));
+        Self { index_of, count }
     }
-    let means = sums.iter().map(|[sums @ .., n]| sums.map(|sum| ((sum + n / 2) / n) as u8));
-    let (palette, alphas): (Vec<_>, Vec<_>) = means.map(|[r, g, b, a]| ([r, g, b], a)).unzip();
-    Indexed { pixels: indexed, palette: palette.concat(), alphas }
+
+    /// Nothing summed yet.
+    pub(super) fn sums(&self) -> Sums {
+        vec![[0; 5]; self.count]
+    }
+
+    /// Appends the number of each RGBA pixel's colour and adds the pixels to the colours' sums.
+    pub(super) fn index(&self, rgba: &[u8], indices: &mut Vec<u8>, sums: &mut Sums) {
+        let empty = self.index_of[bucket_of(EMPTY)];
+        for pixel in rgba.as_chunks::<4>().0 {
+            if *pixel == EMPTY {
+                indices.push(empty);
+                sums[usize::from(empty)][4] += 1;
+                continue;
+            }
+            let index = self.index_of[bucket_of(*pixel)];
+            indices.push(index);
+            let [r, g, b, alpha] = pixel.map(u64::from);
+            let sum = &mut sums[usize::from(index)];
+            *sum = [sum[0] + r, sum[1] + g, sum[2] + b, sum[3] + alpha, sum[4] + 1];
+        }
+    }
+
+    /// Red, green and blue of each colour, and its alpha: the means of its pixels.
+    pub(super) fn palette(&self, parts: &[Sums]) -> (Vec<u8>, Vec<u8>) {
+        let total = |colour: usize| {
+            let sums = parts.iter().map(|sums| sums[colour]);
+            sums.fold([0; 5], |a, b| std::array::from_fn(|i| a[i] + b[i]))
+        };
+        let totals = (0..self.count).map(total);
+        let means = totals.map(|[sums @ .., n]| sums.map(|sum| ((sum + n / 2) / n) as u8));
+        let (colours, alphas): (Vec<_>, Vec<_>) = means.map(|[r, g, b, a]| ([r, g, b], a)).unzip();
+        (colours.concat(), alphas)
+    }
 }
 
 /// The number of pixels in each bucket.
@@ -119,29 +138,35 @@ impl Palette {
 mod tests {
     use super::*;
 
-    fn colours(indexed: &Indexed) -> Vec<[u8; 4]> {
-        let colour = |i: &u8| {
-            let at = usize::from(*i);
-            let [r, g, b] = indexed.palette.as_chunks::<3>().0[at];
-            [r, g, b, indexed.alphas[at]]
+    /// The pixels as they are shown, and the number of colours.
+    fn shown(rgba: &[u8]) -> (Vec<[u8; 4]>, usize) {
+        let colours = Colours::of(rgba);
+        let (mut indices, mut sums) = (Vec::new(), [colours.sums(), colours.sums()]);
+        let (first, second) = rgba.split_at(rgba.len() / 8 * 4);
+        colours.index(first, &mut indices, &mut sums[0]);
+        colours.index(second, &mut indices, &mut sums[1]);
+        let (palette, alphas) = colours.palette(&sums);
+        let shown = |&i: &u8| {
+            let [r, g, b] = palette.as_chunks::<3>().0[usize::from(i)];
+            [r, g, b, alphas[usize::from(i)]]
         };
-        indexed.pixels.iter().map(colour).collect()
+        (indices.iter().map(shown).collect(), alphas.len())
     }
 
     #[test]
     fn few_colours_come_back_as_they_are() {
         let pixels: Vec<[u8; 4]> = (0..60_u8).map(|i| [i * 4, 255 - i * 4, 130, 255]).collect();
         let apart: Vec<[u8; 4]> = pixels.into_iter().step_by(4).collect();
-        assert_eq!(colours(&reduce(apart.as_flattened())), apart);
+        assert_eq!(shown(apart.as_flattened()).0, apart);
     }
 
     #[test]
     fn many_colours_become_few_that_are_near() {
         let pixels: Vec<[u8; 4]> =
             (0..=255).map(|i| [i, 255 - i, 0, 255]).cycle().take(4096).collect();
-        let indexed = reduce(pixels.as_flattened());
-        assert!(indexed.alphas.len() <= COLOURS);
-        for (is, was) in colours(&indexed).iter().zip(&pixels) {
+        let (shown, count) = shown(pixels.as_flattened());
+        assert!(count <= COLOURS);
+        for (is, was) in shown.iter().zip(&pixels) {
             assert!(is.iter().zip(was).all(|(a, b)| a.abs_diff(*b) <= 16), "{was:?} became {is:?}");
         }
     }
