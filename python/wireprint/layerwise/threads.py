@@ -41,7 +41,7 @@ def mapped(
     chunks = min(4 * threads, count // _CHUNK)
 
     def call(part: tuple[npt.NDArray[Any], ...]) -> npt.NDArray[Any]:
-        # GEOS divides 0 by 0 at a needle's tip and knows it; NumPy's setting is each thread's own.
+        # GEOS may raise the processor's flag on the way to a sound result; each thread has its own.
         with np.errstate(invalid="ignore"):
             return function(*part)
 
