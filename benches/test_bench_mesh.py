@@ -5,17 +5,8 @@ import subprocess
 import time
 
 import pytest
-import trimesh
 
 from wireprint.mesh import load_mesh
-
-
-@pytest.fixture(scope="module")
-def million(tmp_path_factory):
-    """A binary STL of 1.31 million facets, in the incoherent order of repeated subdivision."""
-    path = tmp_path_factory.mktemp("bench") / "sphere.stl"
-    trimesh.creation.icosphere(subdivisions=8, radius=39).export(path)
-    return path
 
 
 def test_a_million_triangles_load_three_times_faster_than_in_admesh(benchmark, million):

@@ -6,15 +6,14 @@ definitions, or WIREPRINT_SHARED the folder whose `peers` holds the script.
 
 import os
 import re
-import shutil
 import subprocess
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
 
+from peers import cura_wire
 from wireprint._core import Mesh, slice_mesh
 
 PLANES = 1000
@@ -72,13 +71,9 @@ def test_a_thousand_planes_through_a_million_triangles_beat_curaengine(
 
 def cura_slicing_s(model, folder):
     """Seconds that CuraEngine says its slicing stage takes."""
-    shared = Path(os.environ.get("WIREPRINT_SHARED", Path(__file__).parents[2] / "shared"))
-    script = shared / "peers" / "cura_wire.sh"
-    if not (shutil.which("CuraEngine") and script.exists() and "CURA_DEFS_HOME" in os.environ):
-        pytest.skip("CuraEngine, its script or CURA_DEFS_HOME is absent")
     layer = f"{2 * RADIUS_MM / PLANES}"
     settings = ["-s", f"layer_height={layer}", "-s", f"layer_height_0={layer}"]
-    command = ["bash", script, model, folder / "out.gcode", *settings]
+    command = [*cura_wire(), model, folder / "out.gcode", *settings]
     # What follows slicing is not measured, and is stopped by the script's time limit.
     environment = os.environ | {"H": layer, "TLIM": "20"}
     run = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)

@@ -4,8 +4,6 @@ CuraEngine is found on PATH; CURA_DEFS_HOME names the folder with its definition
 `../shared/peers/setup.sh` lays them. It and we take turns, and medians are compared.
 """
 
-import os
-import shutil
 import subprocess
 import sys
 import time
@@ -14,6 +12,7 @@ from statistics import median
 import pytest
 import trimesh
 
+from peers import cura_wire
 from shared_models import SHARED
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
@@ -44,14 +43,6 @@ def bunny(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module")
-def million(tmp_path_factory):
-    """A sphere of 1.31 million triangles."""
-    path = tmp_path_factory.mktemp("bench") / "sphere.stl"
-    trimesh.creation.icosphere(subdivisions=8, radius=39).export(path)
-    return path
-
-
 def seconds(call):
     begin = time.perf_counter()
     call()
@@ -60,10 +51,7 @@ def seconds(call):
 
 def curaengine(model, folder):
     """Let CuraEngine make a wire print: read the model, slice it, write G-code."""
-    script = SHARED / "peers" / "cura_wire.sh"
-    if not (shutil.which("CuraEngine") and script.exists() and "CURA_DEFS_HOME" in os.environ):
-        pytest.skip("CuraEngine, its script or CURA_DEFS_HOME is absent")
-    command = ["bash", script, model, folder / "cura.gcode"]
+    command = [*cura_wire(), model, folder / "cura.gcode"]
     subprocess.run(command, capture_output=True, check=True)
 
 
@@ -86,22 +74,20 @@ def ratio(ours, theirs, capsys, turns=TURNS):
     return ours_s / theirs_s
 
 
-def test_arrays_become_g_code_in_a_fifth_of_curaengines_run(benchmark, bunny, tmp_path, capsys):
+@pytest.mark.parametrize(
+    ("options", "goal"),
+    [({"certify": False}, 0.2), ({"compare": False}, 0.5)],
+    ids=["written", "certified"],
+)
+def test_arrays_become_g_code_in_a_part_of_curaengines_run(
+    benchmark, bunny, tmp_path, capsys, options, goal
+):
     mesh, settings = load_mesh(bunny), Settings.load()
     found = ratio(
-        lambda: make(mesh, settings, certify=False), lambda: curaengine(bunny, tmp_path), capsys
+        lambda: make(mesh, settings, **options), lambda: curaengine(bunny, tmp_path), capsys
     )
-    benchmark(make, mesh, settings, certify=False)
-    assert found <= 0.2
-
-
-def test_certified_it_takes_half(benchmark, bunny, tmp_path, capsys):
-    mesh, settings = load_mesh(bunny), Settings.load()
-    found = ratio(
-        lambda: make(mesh, settings, compare=False), lambda: curaengine(bunny, tmp_path), capsys
-    )
-    benchmark(make, mesh, settings, compare=False)
-    assert found <= 0.5
+    benchmark(make, mesh, settings, **options)
+    assert found <= goal
 
 
 def test_the_command_takes_three_times_curaengines_run_at_most(benchmark, bunny, tmp_path, capsys):

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint.hybrid.cut import Cut, Samples
-    from wireprint.layerwise.areas import Geometries
+    from wireprint.layerwise.areas import Geometries, buffered
 
     Floats = npt.NDArray[np.float64]
     Ints = npt.NDArray[np.int64]
@@ -65,7 +65,7 @@ def beside_wire(
     )
     radius = tip_mm + np.minimum(far[chosen], reach_mm[slab[chosen]])
     places = shapely.points(samples.middle[chosen, :2])
-    discs = shapely.buffer(places, _ROUND * radius, quad_segs=_QUARTER)
+    discs = buffered(places, _ROUND * radius, quad_segs=_QUARTER)
     found: Geometries = np.full(len(reach_mm), shapely.MultiPolygon(), dtype=object)
     order = np.argsort(slab[chosen], kind="stable")
     ends = np.searchsorted(slab[chosen][order], np.arange(len(reach_mm) + 1))

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
     from shapely import Geometry
 
-    from wireprint.layerwise.areas import Geometries
+    from wireprint.layerwise.areas import Geometries, buffered
     from wireprint.layerwise.hatch import Strokes
 
     Floats = npt.NDArray[np.float64]
@@ -71,7 +71,7 @@ def bridged(
 
 def _along_edges(area: Geometry, held: Geometry) -> Floats:
     """Return the directions of the longest edges that nothing holds."""
-    loose = shapely.difference(shapely.boundary(area), shapely.buffer(held, 1e-6))
+    loose = shapely.difference(shapely.boundary(area), buffered(held, 1e-6))
     points, index = shapely.get_coordinates(shapely.get_parts(loose), return_index=True)
     same = index[1:] == index[:-1]
     steps = np.diff(points, axis=0)[same]

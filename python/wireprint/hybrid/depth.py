@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from wireprint.hybrid.bridges import bridged
-from wireprint.layerwise.areas import Geometries, islands, offset
+from wireprint.layerwise.areas import Geometries, buffered, islands, offset
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -88,12 +88,12 @@ def depth(
     hollow from one such place to another. What can do neither stays hollow.
     """
     clear = _wide(shapely.difference(marked, inside.wire), recipe)
-    beside = shapely.buffer(walls, recipe.spacing_mm, cap_style="flat")
+    beside = buffered(walls, recipe.spacing_mm, cap_style="flat")
     filled: Geometries = np.full(len(marked), _EMPTY, dtype=object)
     turn = np.full(len(marked), np.nan)
     for layer in np.flatnonzero(inside.is_had & ~shapely.is_empty(clear)).tolist():
         below = filled[layer - 1] if layer else _EMPTY
-        solid = shapely.buffer(shapely.union(below, ground[layer]), _LEAN * recipe.width_mm)
+        solid = buffered(shapely.union(below, ground[layer]), _LEAN * recipe.width_mm)
         held = shapely.intersection(clear[layer], shapely.union(solid, beside[layer]))
         filled[layer], turn[layer] = _with_bridges(clear[layer], held, recipe, inside.longest_mm)
     return Depth(marked, clear, filled, turn)
@@ -141,5 +141,5 @@ def _wide(areas: Any, recipe: Recipe) -> Any:
     """Return areas without what is too narrow for a line."""
     half = _NARROW * recipe.spacing_mm / 2
     fine = shapely.simplify(areas, _FINE * recipe.width_mm)
-    opened = shapely.buffer(shapely.buffer(fine, -half), half, join_style="mitre")
+    opened = buffered(buffered(fine, -half), half, join_style="mitre")
     return shapely.intersection(opened, fine)

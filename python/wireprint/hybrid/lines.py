@@ -11,7 +11,7 @@ import shapely
 from wireprint.hybrid.depth import Depth, Inside, behind, depth
 from wireprint.hybrid.fringe import Fringe, fringe
 from wireprint.hybrid.group import Group
-from wireprint.layerwise.areas import Geometries, islands, of_contours, offset
+from wireprint.layerwise.areas import Geometries, buffered, islands, of_contours, offset
 from wireprint.layerwise.hatch import hatched
 from wireprint.layerwise.lines import Lines
 from wireprint.layerwise.route import Route, routed
@@ -164,9 +164,7 @@ def _lids(cut: Cut, deep: Depth, edge: Fringe, recipe: Recipe) -> Geometries:
     last = np.flatnonzero(cut.is_last() & ~shapely.is_empty(deep.filled))
     filled, walled = deep.filled[last], edge.innermost[last]
     reach_mm = edge.inward_mm + _BEYOND * recipe.width_mm
-    walled = shapely.intersection(
-        shapely.buffer(filled, reach_mm), shapely.buffer(walled, reach_mm)
-    )
+    walled = shapely.intersection(buffered(filled, reach_mm), buffered(walled, reach_mm))
     found[last] = shapely.union(filled, walled)
     return found
 
@@ -176,7 +174,7 @@ def _behind(deep: Depth, edge: Fringe, areas: Geometries, recipe: Recipe) -> lis
     pieces, layer = islands(deep.filled)
     if not len(pieces):
         return []
-    walled = shapely.buffer(edge.innermost[layer], _WALLED * recipe.spacing_mm)
+    walled = buffered(edge.innermost[layer], _WALLED * recipe.spacing_mm)
     sides = shapely.difference(shapely.boundary(pieces), walled)
     inner = offset(pieces, recipe.overlap_mm - recipe.spacing_mm)
     usual = _turns(layer)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Mesh, Wireframe, _Layered, _Lids
-    from wireprint.layerwise.areas import Geometries
+    from wireprint.layerwise.areas import Geometries, buffered
     from wireprint.regions import Region
     from wireprint.settings import Settings
 
@@ -239,7 +239,7 @@ def _bed(wireframe: Wireframe) -> shapely.Geometry:
     area: shapely.Geometry = shapely.MultiPolygon()
     for number in np.flatnonzero(above["closed"][: above["slice_offsets"][1]]).tolist():
         points = above["points"][above["offsets"][number] : above["offsets"][number + 1]]
-        ring = shapely.buffer(shapely.polygons(points), 0.0)
+        ring = buffered(shapely.polygons(points), 0.0)
         area = shapely.symmetric_difference(area, ring)
     return area
 

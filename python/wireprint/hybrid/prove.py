@@ -76,8 +76,6 @@ class Proved:
         return float(np.sum(np.linalg.norm(own[:, 1] - own[:, 0], axis=1)))
 
 
-# GEOS may raise the processor's flag on the way to a sound result, and all is judged in any case.
-@np.errstate(invalid="ignore")
 def proved(mesh: Mesh, plain: Wireframe, region: Region, settings: Settings) -> Proved:
     """Print a region as layers, without the runs that break the rules.
 

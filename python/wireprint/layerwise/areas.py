@@ -120,12 +120,24 @@ def islands(geometries: Geometries) -> tuple[Geometries, npt.NDArray[np.int64]]:
     return parts[is_area], origin[is_area]
 
 
+def buffered(geometries: Any, distance_mm: float, **options: Any) -> Any:
+    """Grow areas by a distance, mm, as `shapely.buffer` does.
+
+    Notes
+    -----
+    GEOS may raise the processor's flag for an invalid operation on the way to a sound result, which
+    NumPy then reports (github.com/shapely/shapely/issues/1709); each thread has its own setting.
+    """
+    with np.errstate(invalid="ignore"):
+        return shapely.buffer(geometries, distance_mm, **options)
+
+
 def offset(geometries: Geometries, distance_mm: float) -> Geometries:
     """Grow (or, below 0, shrink) each area by a distance, mm, with sharp corners."""
     result = geometries.copy()
     filled = np.flatnonzero(~shapely.is_empty(geometries))
     result[filled] = mapped(
-        lambda part: shapely.buffer(part, distance_mm, join_style="mitre", mitre_limit=2.0),
+        lambda part: buffered(part, distance_mm, join_style="mitre", mitre_limit=2.0),
         geometries[filled],
     )
     return result
@@ -141,7 +153,7 @@ def simplified(geometries: Geometries, resolution_mm: float) -> Geometries:
 def sound(polygons: Geometries) -> Geometries:
     """Mend what simplifying made cross itself."""
     broken = ~mapped(shapely.is_valid, polygons)
-    polygons[broken] = shapely.buffer(polygons[broken], 0.0)
+    polygons[broken] = buffered(polygons[broken], 0.0)
     return polygons
 
 

@@ -39,15 +39,9 @@ def mapped(
     count = len(columns[0])
     threads = workers()
     chunks = min(4 * threads, count // _CHUNK)
-
-    def call(part: tuple[npt.NDArray[Any], ...]) -> npt.NDArray[Any]:
-        # GEOS may raise the processor's flag on the way to a sound result; each thread has its own.
-        with np.errstate(invalid="ignore"):
-            return function(*part)
-
     if threads < 2 or chunks < 2:
-        return call(columns)
+        return function(*columns)
     cuts = np.linspace(0, count, chunks + 1).astype(int)
     parts = [tuple(column[low:high] for column in columns) for low, high in pairwise(cuts)]
     with ThreadPoolExecutor(threads) as pool:
-        return np.concatenate(list(pool.map(call, parts)))
+        return np.concatenate(list(pool.map(lambda part: function(*part), parts)))

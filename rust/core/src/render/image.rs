@@ -5,8 +5,6 @@ use super::indexed::Colours;
 use super::scene::Rgb;
 use crate::error::{CoreError, Result};
 
-/// Effort of a thumbnail's compression: more costs twice the time for a tenth of the size.
-const DEFLATE: u32 = 1;
 /// What stands before a row of a PNG file that is written as it is.
 const NO_FILTER: u8 = 0;
 
@@ -99,7 +97,7 @@ impl Image {
             }
             (rows, sums)
         };
-        let (data, sums) = zlib(self.height.div_ceil(lines), DEFLATE, part)?;
+        let (data, sums) = zlib(self.height.div_ceil(lines), part)?;
         let (palette, alphas) = colours.palette(&sums);
         let set = |encoder: &mut Encoder| {
             encoder.set_color(png::ColorType::Indexed);

@@ -208,7 +208,7 @@ impl Tile {
 
     fn draw_capsule(&mut self, capsule: &Capsule, sight: Sight) {
         let draw = |at, keys: &mut [f32], sights: &mut [_]| capsule.draw(at, keys, sights, sight);
-        self.fill(capsule.rows(), |y| capsule.span(y), draw);
+        self.fill(capsule.rows(), |y| capsule.swath.span(y), draw);
     }
 
     fn draw_triangle(&mut self, triangle: &Triangle, sight: Sight) {

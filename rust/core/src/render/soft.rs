@@ -8,7 +8,7 @@ use super::camera::Projector;
 use super::raster::BEHIND;
 use super::scene::Stroke;
 use super::shade::{Gloss, Shader};
-use super::stroke::{Capsule, HALO, HALO_DEPTH};
+use super::stroke::{Capsule, HALO, HALO_DEPTH, Swath};
 use super::tiles::within;
 
 /// Pixels that are blended at a time.
@@ -83,12 +83,9 @@ pub(super) struct SoftStroke {
     /// The way along it, and how far.
     unit: Vec2,
     length: f32,
-    /// The rows and columns that it may touch; where its axis crosses a row, and how far beside
-    /// that it reaches ([`Capsule::span`]).
+    /// The rows and columns that it may touch.
     pub(super) rows: [f32; 2],
-    columns: [f32; 2],
-    slope: f32,
-    breadth: f32,
+    swath: Swath,
     /// How near its axis begins, and what that gains per pixel along it.
     key: f32,
     key_slope: f32,
@@ -119,9 +116,7 @@ impl SoftStroke {
             unit,
             length,
             rows: capsule.rows(),
-            columns: capsule.box_x,
-            slope: capsule.slope,
-            breadth: capsule.breadth,
+            swath: capsule.swath,
             key: capsule.key,
             key_slope: capsule.key_step * share,
             radius,
@@ -137,10 +132,7 @@ impl SoftStroke {
         let from = self.from - Vec2::new(0.0, band.top);
         for row in within(self.rows, band.top, band.height) {
             let y = row as f32 + 0.5;
-            let middle = from.x + (y - from.y) * self.slope;
-            let [left, right] = self.columns;
-            let span = [(middle - self.breadth).max(left), (middle + self.breadth).min(right)];
-            let columns = within(span, 0.0, band.width);
+            let columns = within(self.swath.span(band.top + y), 0.0, band.width);
             let blocks = columns.start / LANES..columns.end.div_ceil(LANES);
             let start = Vec2::new((blocks.start * LANES) as f32, y) - from;
             let mut along = self.unit.dot(start) + MIDDLES * self.unit.x;

@@ -30,16 +30,32 @@ pub(super) struct Capsule {
     halo: f32,
     /// Half of the greatest width with the halo, samples.
     reach: f32,
-    /// Columns that the axis advances per row, or 0 where it is level.
-    pub(super) slope: f32,
-    /// Half of the columns within reach of the axis's line in a row; infinite where it is level.
-    pub(super) breadth: f32,
-    /// The columns that the stroke touches.
-    pub(super) box_x: [f32; 2],
+    pub(super) swath: Swath,
     /// The side of the tube that faces the eye, in the camera's axes.
     pub(super) facing: Vec3,
     pub(super) colour: Rgb,
     pub(super) lit: bool,
+}
+
+/// The columns that a stroke may touch, row by row.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Swath {
+    from: Vec2,
+    /// Columns that the axis advances per row, or 0 where it is level.
+    slope: f32,
+    /// Half of the columns within reach of the axis's line in a row; infinite where it is level.
+    breadth: f32,
+    /// The columns that the stroke touches.
+    box_x: [f32; 2],
+}
+
+impl Swath {
+    /// The columns that the row through `y` may touch: those within reach of the axis's line, as
+    /// far as the stroke's box goes.
+    pub(super) fn span(&self, y: f32) -> [f32; 2] {
+        let middle = self.from.x + (y - self.from.y) * self.slope;
+        [(middle - self.breadth).max(self.box_x[0]), (middle + self.breadth).min(self.box_x[1])]
+    }
 }
 
 /// A mark is nearer than everything else by this. A line is nearer by its own width, so that it
@@ -88,9 +104,15 @@ impl Capsule {
             bulge_step: (bulges[1] - bulges[0]) as f32,
             halo,
             reach,
-            slope: if level { 0.0 } else { along.x / along.y },
-            breadth: if level { f32::INFINITY } else { reach * length2.sqrt() / along.y.abs() },
-            box_x: [start.x.min(start.x + along.x) - reach, start.x.max(start.x + along.x) + reach],
+            swath: Swath {
+                from: start,
+                slope: if level { 0.0 } else { along.x / along.y },
+                breadth: if level { f32::INFINITY } else { reach * length2.sqrt() / along.y.abs() },
+                box_x: [
+                    start.x.min(start.x + along.x) - reach,
+                    start.x.max(start.x + along.x) + reach,
+                ],
+            },
             facing: (Vec3::Z - axis * axis.z).normalize_or(Vec3::Z),
             colour: stroke.colour,
             lit,
@@ -105,15 +127,8 @@ impl Capsule {
 
     /// The columns that the stroke may touch between two rows; empty where low > high.
     pub(super) fn columns(&self, top: f32, bottom: f32) -> [f32; 2] {
-        let (a, b) = (self.span(top), self.span(bottom));
+        let (a, b) = (self.swath.span(top), self.swath.span(bottom));
         [a[0].min(b[0]), a[1].max(b[1])]
-    }
-
-    /// The columns that the row through `y` may touch: those within reach of the axis's line, as
-    /// far as the stroke's box goes.
-    pub(super) fn span(&self, y: f32) -> [f32; 2] {
-        let middle = self.from.x + (y - self.from.y) * self.slope;
-        [(middle - self.breadth).max(self.box_x[0]), (middle + self.breadth).min(self.box_x[1])]
     }
 
     /// Share of the stroke's length at its point nearest to a place, the square of the distance to

@@ -24,7 +24,8 @@ const CHUNK: usize = 1 << 16;
 
 /// A number for each kind: laid side by side, so that sums over all kinds are taken at once.
 type Kinds = [f64; KINDS];
-/// The same for many questions: to seven digits, of which a task takes twice as many at once.
+/// The same to seven digits, which are enough to choose heights by: the processor takes twice as
+/// many at once.
 type Rough = [f32; KINDS];
 
 /// The faces of one layer, by kind.
