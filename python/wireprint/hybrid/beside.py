@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
+from wireprint.layerwise.areas import buffered
+
 if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint.hybrid.cut import Cut, Samples
-    from wireprint.layerwise.areas import Geometries, buffered
+    from wireprint.layerwise.areas import Geometries
 
     Floats = npt.NDArray[np.float64]
     Ints = npt.NDArray[np.int64]

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import shapely
 
+from wireprint.layerwise.areas import buffered
 from wireprint.layerwise.hatch import strokes
 
 if TYPE_CHECKING:
     import numpy.typing as npt
     from shapely import Geometry
 
-    from wireprint.layerwise.areas import Geometries, buffered
+    from wireprint.layerwise.areas import Geometries
     from wireprint.layerwise.hatch import Strokes
 
     Floats = npt.NDArray[np.float64]

@@ -17,6 +17,7 @@ from wireprint.hybrid.depth import Inside
 from wireprint.hybrid.flats import Flats
 from wireprint.hybrid.lines import Laid, lay
 from wireprint.hybrid.runs import Runs, Section, runs_of
+from wireprint.layerwise.areas import buffered
 from wireprint.layerwise.recipe import Recipe
 from wireprint.regions.inside import sections
 from wireprint.stages import line_section_mm2
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Mesh, Wireframe, _Layered, _Lids
-    from wireprint.layerwise.areas import Geometries, buffered
+    from wireprint.layerwise.areas import Geometries
     from wireprint.regions import Region
     from wireprint.settings import Settings
 
