@@ -13,7 +13,7 @@ use solids::{moved, sphere};
 use wireprint_core::contours::{Contour, contours, sliced};
 use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::{Plane, Side, cut};
-use wireprint_core::wireframe::strips::{Slab, all_strips};
+use wireprint_core::wireframe::plan::strips::{Slab, all_strips};
 
 /// A sphere of radius 39 mm that stands on the bed, with about `4 n²` triangles.
 fn ball(n: usize) -> Mesh {

@@ -7,7 +7,7 @@
 use glam::{DQuat, DVec2, DVec3, EulerRot};
 use rayon::prelude::*;
 
-use crate::contours::polygon::convex_hull;
+use crate::geometry::polygon::convex_hull;
 use crate::mesh::Mesh;
 
 /// Points this near to the plane, as a share of the model's extent, touch it.

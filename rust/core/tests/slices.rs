@@ -6,8 +6,8 @@ mod solids;
 
 use glam::{DMat3, DVec2, DVec3};
 use solids::{Random, cuboid, inverted, moved, revolved, sphere, together, torus};
-use wireprint_core::contours::polygon::{length, signed_area};
 use wireprint_core::contours::{Contour, contours, sliced, union};
+use wireprint_core::geometry::polygon::{length, signed_area};
 use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::{Loop, Plane, Side, cut};
 

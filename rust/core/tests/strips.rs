@@ -11,7 +11,7 @@ use solids::{Random, cuboid, moved, revolved, sphere, together, torus};
 use wireprint_core::contours::{Contour, sliced};
 use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::{Plane, Side};
-use wireprint_core::wireframe::strips::{Slab, Strip, all_strips, ledges, strips};
+use wireprint_core::wireframe::plan::strips::{Slab, Strip, all_strips, ledges, strips};
 
 fn slice(mesh: &Mesh, z: f64, side: Side) -> Vec<Contour> {
     sliced(mesh, &[Plane { z, side }], 0.0).remove(0)
@@ -156,7 +156,7 @@ fn strips_and_ledges_of_any_heights_share_out_the_whole_surface() {
             assert_eq!(touched, (0..slab.lower.len() as u32).collect::<Vec<_>>());
             assert_eq!(
                 *strips,
-                wireprint_core::wireframe::strips::strips(
+                wireprint_core::wireframe::plan::strips::strips(
                     &mesh,
                     slab.z_lower,
                     slab.lower,

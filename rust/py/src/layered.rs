@@ -7,8 +7,8 @@ use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods}
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wireprint_core::contours::Contour;
-use wireprint_core::wireframe::Layer;
-use wireprint_core::wireframe::layered::{Layered, LayeredSlab, Line, Stretch};
+use wireprint_core::wireframe::regions::layered::{Layered, LayeredSlab, Line, Stretch};
+use wireprint_core::wireframe::regions::layers::Layer;
 
 use crate::arrays;
 use crate::errors::SettingError;

@@ -4,8 +4,8 @@ use glam::{DVec2, DVec3};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use wireprint_core::strand::Kind;
 use wireprint_core::toolpath as core;
-use wireprint_core::wireframe::Kind;
 
 use wireprint_core::toolpath::{Cooling, PathParams, Plate, Strategy};
 

@@ -8,8 +8,11 @@ use pyo3::types::PyDict;
 use wireprint_core::contours::Contour;
 use wireprint_core::head::Head;
 use wireprint_core::slices::heights::HeightParams;
+use wireprint_core::strand::Kind;
 use wireprint_core::wireframe as core;
-use wireprint_core::wireframe::{Kind, Pattern, Placement, Reason, WireParams};
+use wireprint_core::wireframe::frame::Reason;
+use wireprint_core::wireframe::params::{Pattern, WireParams};
+use wireprint_core::wireframe::place::zigzag::Placement;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached, in_pool, to_py};
@@ -110,12 +113,12 @@ type StripTuple = (Vec<u32>, Vec<u32>, f64);
 /// A model as strands in printing order; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Wireframe {
-    core: Arc<core::Wireframe>,
+    core: Arc<core::frame::Wireframe>,
 }
 
 impl Wireframe {
     /// The core's wireframe.
-    pub fn core(&self) -> &Arc<core::Wireframe> {
+    pub fn core(&self) -> &Arc<core::frame::Wireframe> {
         &self.core
     }
 }
@@ -134,9 +137,9 @@ pub fn wireframe(
     let (heights, wire) = (params.heights(), params.wire()?);
     let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
     let build = || {
-        let sliced = core::slice_model(mesh.core(), &head, &heights)?;
+        let sliced = core::plan::sliced::slice_model(mesh.core(), &head, &heights)?;
         layered.fits(&sliced)?;
-        Ok(core::build(sliced, &layered, &head, &wire))
+        Ok(core::build::build(sliced, &layered, &head, &wire))
     };
     let core = detached(py, || in_pool(build))?;
     Ok(Wireframe { core: Arc::new(core) })
@@ -260,7 +263,9 @@ impl Wireframe {
             return Err(SettingError::new_err(message));
         }
         let (mesh, sliced) = (mesh.core(), &self.core.sliced);
-        let cut = detached(py, || Ok(core::cut_layers(mesh, sliced, thickness_mm, strand_mm)))?;
+        let cut = detached(py, || {
+            Ok(core::regions::layers::cut_layers(mesh, sliced, thickness_mm, strand_mm))
+        })?;
         layers(py, cut)
     }
 

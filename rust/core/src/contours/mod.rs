@@ -2,7 +2,6 @@
 
 mod chains;
 mod nesting;
-pub mod polygon;
 mod sweep;
 mod union;
 

@@ -3,9 +3,9 @@
 use glam::DVec2;
 
 use super::Contour;
-use super::polygon::{length, signed_area};
 use super::sweep::{Found, Ring, sweep};
 use super::union::union;
+use crate::geometry::polygon::{length, signed_area};
 use crate::slices::Loop;
 
 /// The contours of one slice.

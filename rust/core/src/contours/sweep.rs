@@ -11,8 +11,8 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::chains::{Chain, Chains, Key};
-use super::polygon::turn;
 use super::union::UNITS_PER_MM;
+use crate::geometry::polygon::turn;
 
 const NONE: u32 = u32::MAX;
 /// Walls nearer than this coincide, mm: the union's grid closes the gap.

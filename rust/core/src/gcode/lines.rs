@@ -7,8 +7,8 @@
 use super::fixed;
 use super::template::Template;
 use crate::error::{CoreError, Result};
+use crate::strand::Kind;
 use crate::toolpath::Toolpath;
-use crate::wireframe::Kind;
 
 /// Decimals of X, Y and Z, of seconds in thousandths, and of `{z}` and `{height}`.
 const PLACE_DECIMALS: u32 = 3;

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::NO_FACE;
 use super::holes::Rim;
 use super::surface::Surface;
-use super::union_find::UnionFind;
+use crate::geometry::disjoint_sets::UnionFind;
 
 /// Faces that one task measures.
 const CHUNK_FACES: usize = 1 << 15;

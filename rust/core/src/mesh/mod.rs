@@ -21,7 +21,6 @@ mod stitch;
 pub mod stl;
 mod surface;
 pub mod topology;
-pub(crate) mod union_find;
 pub mod weld;
 
 use place::Placement;

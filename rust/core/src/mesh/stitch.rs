@@ -6,7 +6,7 @@ use glam::{DVec3, I64Vec3};
 
 use super::surface::Surface;
 use super::topology::ends;
-use super::union_find::UnionFind;
+use crate::geometry::disjoint_sets::UnionFind;
 
 /// Welds boundary vertices within `tolerance` (file units) wherever two open edges become one;
 /// returns how many vertices vanished.

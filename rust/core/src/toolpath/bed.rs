@@ -5,8 +5,8 @@ use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 
 use super::PathParams;
-use crate::contours::polygon::convex_hull;
-use crate::wireframe::{Kind, Strand};
+use crate::geometry::polygon::convex_hull;
+use crate::strand::{Kind, Strand};
 
 /// Largest angle between two strokes of an outline's rounded corner, rad.
 const ROUND: f64 = 0.3;

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::bed::{brim, skirt};
 use super::mechanics::print;
 use super::{PathParams, Toolpath};
-use crate::wireframe::{Kind, Strand};
+use crate::strand::{Kind, Strand};
 
 /// Travels shorter than this, mm, need no retraction: nothing oozes far enough to matter.
 const SHORT: f64 = 1.0;

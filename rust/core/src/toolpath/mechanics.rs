@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{PathParams, Toolpath};
-use crate::wireframe::Strand;
+use crate::strand::Strand;
 
 /// What makes a stroke that ends in the air hold its shape (paper, "Experimentation").
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

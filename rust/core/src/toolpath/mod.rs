@@ -11,7 +11,7 @@ use glam::{DVec2, DVec3};
 pub use build::toolpath;
 pub use mechanics::{Cooling, Strategy};
 
-use crate::wireframe::{Kind, Strand};
+use crate::strand::{Kind, Strand};
 
 /// A toolpath as parallel arrays, one entry a move; each move begins where the last one ended.
 #[derive(Debug, Clone, Default)]

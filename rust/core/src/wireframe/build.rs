@@ -6,18 +6,22 @@
 
 use glam::{DVec2, DVec3};
 
-use super::builder::{Builder, Course, SAME};
-use super::columns::{self, Wants};
-use super::curve::Curve;
-use super::guide::{Guide, Spokes};
-use super::posts::Post;
-use super::rim::Rim;
-use super::strips::Strip;
-use super::tops::Tops;
-use super::trial::{Costs, costs};
-use super::waiting::Waiting;
-use super::{Kind, Layered, PlacedPost, Reason, Sliced, Strand, Unprinted, WireParams, Wireframe};
+use crate::geometry::curve::Curve;
+use crate::geometry::nearest_first::Waiting;
 use crate::head::Head;
+use crate::strand::{Kind, Strand};
+use crate::wireframe::frame::{PlacedPost, Reason, Unprinted, Wireframe};
+use crate::wireframe::lay::columns::{self, Wants};
+use crate::wireframe::lay::journal::{Builder, Course, SAME};
+use crate::wireframe::lay::tops::Tops;
+use crate::wireframe::order::search::{Costs, costs};
+use crate::wireframe::params::WireParams;
+use crate::wireframe::place::guide::{Guide, Spokes};
+use crate::wireframe::place::posts::Post;
+use crate::wireframe::place::rim::Rim;
+use crate::wireframe::plan::sliced::Sliced;
+use crate::wireframe::plan::strips::Strip;
+use crate::wireframe::regions::layered::Layered;
 
 /// A contour printed on the bed follows the model to this, mm.
 const BED_FOLLOW: f64 = 0.05;
@@ -53,26 +57,26 @@ pub struct Standing {
 
 /// The print in the making.
 pub struct Build<'a> {
-    pub(super) sliced: &'a Sliced,
-    pub(super) layered: &'a Layered,
-    pub(super) p: &'a WireParams,
-    pub(super) head: &'a Head,
+    pub(in crate::wireframe) sliced: &'a Sliced,
+    pub(in crate::wireframe) layered: &'a Layered,
+    pub(in crate::wireframe) p: &'a WireParams,
+    pub(in crate::wireframe) head: &'a Head,
     /// What ends each slab.
-    pub(super) tops: &'a Tops<'a>,
-    pub(super) out: Builder<'a>,
-    pub(super) posts: Vec<PlacedPost>,
-    pub(super) unprinted: Vec<Unprinted>,
-    pub(super) wants: Wants,
+    pub(in crate::wireframe) tops: &'a Tops<'a>,
+    pub(in crate::wireframe) out: Builder<'a>,
+    pub(in crate::wireframe) posts: Vec<PlacedPost>,
+    pub(in crate::wireframe) unprinted: Vec<Unprinted>,
+    pub(in crate::wireframe) wants: Wants,
     /// How far contours stray that become straight between their posts, times their length, mm².
-    pub(super) sag: f64,
+    pub(in crate::wireframe) sag: f64,
     /// Whether slabs are tried in several orders.
-    pub(super) searching: bool,
+    pub(in crate::wireframe) searching: bool,
     /// Number of slabs that want that.
-    pub(super) wanting: usize,
+    pub(in crate::wireframe) wanting: usize,
     /// The plain print that wire beside layers goes by; empty for that print itself.
-    pub(super) guide: &'a Guide,
+    pub(in crate::wireframe) guide: &'a Guide,
     /// All flat zigzags that hold contours so far.
-    pub(super) spokes: Vec<Spokes>,
+    pub(in crate::wireframe) spokes: Vec<Spokes>,
 }
 
 /// What a pass of the build goes by.
@@ -226,7 +230,7 @@ impl Build<'_> {
     }
 
     /// Where the head is, in plan; at first the bed's centre.
-    pub(super) fn place(&self) -> DVec2 {
+    pub(in crate::wireframe) fn place(&self) -> DVec2 {
         self.out.at().map_or(DVec2::ZERO, DVec3::truncate)
     }
 
@@ -247,7 +251,7 @@ impl Build<'_> {
 
     /// Where a chain of posts begins: over the end of the last strand if that lies on a carrier,
     /// else over the carriers' vertex nearest to the head.
-    pub(super) fn start(&self, curve: &Curve, carriers: &[&Rim]) -> f64 {
+    pub(in crate::wireframe) fn start(&self, curve: &Curve, carriers: &[&Rim]) -> f64 {
         if !curve.is_closed() {
             return 0.0;
         }
@@ -258,13 +262,20 @@ impl Build<'_> {
     }
 
     /// The end of the last strand, if it is a vertex of one of the carriers.
-    pub(super) fn going_on(&self, carriers: &[&Rim]) -> Option<DVec3> {
+    pub(in crate::wireframe) fn going_on(&self, carriers: &[&Rim]) -> Option<DVec3> {
         let at = self.out.at()?;
         carriers.iter().flat_map(|r| &r.points).find(|p| p.distance(at) < SAME).copied()
     }
 
     /// Notes a part of the surface that is not printed.
-    pub(super) fn leave_out(&mut self, low: f64, high: f64, area: f64, at: DVec2, reason: Reason) {
+    pub(in crate::wireframe) fn leave_out(
+        &mut self,
+        low: f64,
+        high: f64,
+        area: f64,
+        at: DVec2,
+        reason: Reason,
+    ) {
         self.unprinted.push(Unprinted { low, high, area, place: at.extend(high), reason });
     }
 }

@@ -25,7 +25,7 @@ pub fn length(points: &[DVec2], closed: bool) -> f64 {
 /// Twice the signed area of the triangle `a`, `b`, `c`: positive where `c` lies left of `a → b`.
 ///
 /// Exactly zero where `c` equals `a` or `b`.
-pub(super) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+pub fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (a - c).perp_dot(b - c)
 }
 

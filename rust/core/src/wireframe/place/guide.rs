@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::PlacedPost;
-use super::curve::Curve;
-use super::posts::{Candidate, Post, Rank};
-use super::rim::Footing;
-use super::waiting::bounds;
+use crate::geometry::curve::Curve;
+use crate::geometry::nearest_first::bounds;
+use crate::wireframe::frame::PlacedPost;
+use crate::wireframe::place::posts::{Candidate, Post, Rank};
+use crate::wireframe::place::rim::Footing;
 
 /// A flat zigzag that holds a contour.
 #[derive(Debug, Clone)]
@@ -166,8 +166,8 @@ fn is_settled(posts: &[Candidate], s: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wireframe::posts::candidates;
-    use crate::wireframe::rim::Rim;
+    use crate::wireframe::place::posts::candidates;
+    use crate::wireframe::place::rim::Rim;
 
     const SIDE: f64 = 40.0;
 

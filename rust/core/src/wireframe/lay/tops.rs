@@ -4,9 +4,10 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
-use super::slab::Top;
-use super::{Layered, Sliced};
 use crate::head::Head;
+use crate::wireframe::lay::slab::Top;
+use crate::wireframe::plan::sliced::Sliced;
+use crate::wireframe::regions::layered::Layered;
 
 /// The tops of all slabs; each is made once, by whoever asks first.
 pub struct Tops<'a> {

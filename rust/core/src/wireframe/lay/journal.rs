@@ -2,15 +2,15 @@
 
 use glam::{DVec2, DVec3};
 
-use super::ahead::Ahead;
-use super::curve::Curve;
-use super::layered::Line;
-use super::posts::{Post, followed};
-use super::rim::Rim;
-use super::zigzag::Step;
-use super::{Kind, Strand};
 use crate::clearance::Material;
+use crate::geometry::curve::Curve;
 use crate::head::Head;
+use crate::strand::{Kind, Strand};
+use crate::wireframe::place::posts::{Post, followed};
+use crate::wireframe::place::rim::Rim;
+use crate::wireframe::place::zigzag::Step;
+use crate::wireframe::regions::ahead::Ahead;
+use crate::wireframe::regions::layered::Line;
 
 /// Strokes shorter than this part of the strand's diameter are mere contact and are not printed.
 const CONTACT: f64 = 0.5;

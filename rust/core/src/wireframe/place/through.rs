@@ -1,8 +1,8 @@
 //! Chains of posts through those of the plain print, which look for others only where one is missing.
 
-use super::curve::Curve;
-use super::posts::{Candidate, Chain, Post, PostParams};
+use crate::geometry::curve::Curve;
 use crate::head::Head;
+use crate::wireframe::place::posts::{Candidate, Chain, Post, PostParams};
 
 /// The cheapest chain through all posts of the plain print among the candidates; None where there
 /// are none. The first candidate of a closed curve is one of them.

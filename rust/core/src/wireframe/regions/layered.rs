@@ -3,11 +3,11 @@
 
 use glam::{DVec2, DVec3};
 
-use super::Sliced;
-use super::curve::{Curve, simplify};
-use super::rim::Rim;
-use crate::contours::polygon;
 use crate::error::{CoreError, Result};
+use crate::geometry::curve::{Curve, simplify};
+use crate::geometry::polygon;
+use crate::wireframe::place::rim::Rim;
+use crate::wireframe::plan::sliced::Sliced;
 
 /// A stretch of a contour; it may run on past the contour's first point.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,19 +3,19 @@
 
 use glam::DVec2;
 
-use super::Kind;
-use super::build::{Build, Ground, Standing};
-use super::columns::needs;
-use super::curve::Curve;
-use super::guide::Spokes;
-use super::hatch::bridges;
-use super::level::HELD;
-use super::posts::{Post, even_spacing};
-use super::rim::{Footing, Rim};
-use super::slab::gaps;
-use super::walls::Walls;
-use super::zigzag::{Placement, ZigzagInput, zigzag};
 use crate::contours::Contour;
+use crate::geometry::curve::Curve;
+use crate::geometry::hatch::bridges;
+use crate::strand::Kind;
+use crate::wireframe::build::{Build, Ground, Standing};
+use crate::wireframe::lay::columns::needs;
+use crate::wireframe::lay::level::HELD;
+use crate::wireframe::lay::slab::gaps;
+use crate::wireframe::place::guide::Spokes;
+use crate::wireframe::place::posts::{Post, even_spacing};
+use crate::wireframe::place::rim::{Footing, Rim};
+use crate::wireframe::place::walls::Walls;
+use crate::wireframe::place::zigzag::{Placement, ZigzagInput, zigzag};
 
 /// Gaps wider than this part of the longest span want a support.
 const WIDE: f64 = 0.6;
@@ -27,7 +27,7 @@ const TIE: f64 = 2.0;
 impl Build<'_> {
     /// Hangs a contour on what is printed around it at its height. One that lies inside another
     /// becomes part of the surface's caps; one beside the others is supported.
-    pub(super) fn hang(
+    pub(in crate::wireframe) fn hang(
         &mut self,
         curve: &Curve,
         z: f64,
@@ -52,7 +52,7 @@ impl Build<'_> {
     }
 
     /// Asks for columns under a contour that hangs on nothing.
-    pub(super) fn want_columns(&mut self, curve: &Curve, level: usize) {
+    pub(in crate::wireframe) fn want_columns(&mut self, curve: &Curve, level: usize) {
         self.wants.columns.extend(needs(curve, 0.0, &[], level, 0.0));
     }
 
@@ -67,7 +67,7 @@ impl Build<'_> {
 
     /// A flat zigzag from printed rims out (or in) to the wanted places of a contour, these at
     /// least `spacing` times the distance between a cap's strands apart.
-    pub(super) fn spokes(
+    pub(in crate::wireframe) fn spokes(
         &mut self,
         curve: &Curve,
         z: f64,
@@ -110,13 +110,13 @@ impl Build<'_> {
     }
 
     /// Gaps of a contour that is tied are no wider than this, mm.
-    pub(super) fn wide_gap(&self) -> f64 {
+    pub(in crate::wireframe) fn wide_gap(&self) -> f64 {
         TIE * self.p.cap_spacing
     }
 
     /// Adds ties where a contour's posts leave gaps wider than `wide`, and asks for supports where
     /// gaps remain.
-    pub(super) fn tighten(
+    pub(in crate::wireframe) fn tighten(
         &mut self,
         curve: &Curve,
         z: f64,
@@ -157,7 +157,7 @@ impl Build<'_> {
     }
 
     /// Whether the plain print ties a contour of this slab to its neighbours.
-    pub(super) fn was_tied(&self, curve: &Curve, z: f64) -> bool {
+    pub(in crate::wireframe) fn was_tied(&self, curve: &Curve, z: f64) -> bool {
         !self.guide.spokes(self.spokes_key(TIE), curve, z).is_empty()
     }
 

@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::layered::Line;
 use crate::head::Head;
+use crate::wireframe::regions::layered::Line;
 
 /// Moves of the head that are still to come, in a grid over the plane.
 #[derive(Debug, Default)]

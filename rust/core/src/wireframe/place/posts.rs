@@ -9,9 +9,9 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::curve::{Curve, Station, simplify};
-use super::rim::{Footing, Rim};
+use crate::geometry::curve::{Curve, Station, simplify};
 use crate::head::Head;
+use crate::wireframe::place::rim::{Footing, Rim};
 
 /// One upward stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]

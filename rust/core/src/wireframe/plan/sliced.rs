@@ -2,13 +2,13 @@
 
 use glam::DVec2;
 
-use super::strips::{Slab, Strip, all_ledges, all_strips};
 use crate::contours::{Contour, sliced};
 use crate::error::{CoreError, Result};
 use crate::head::Head;
 use crate::mesh::Mesh;
 use crate::slices::heights::{HeightParams, Level, choose_levels};
 use crate::slices::{Plane, Side};
+use crate::wireframe::plan::strips::{Slab, Strip, all_ledges, all_strips};
 
 /// A model cut into slabs.
 #[derive(Debug, Clone, Default)]
@@ -27,7 +27,7 @@ pub struct Sliced {
 }
 
 /// Loops shorter than this part of a strand's diameter are specks.
-pub(super) const SPECK: f64 = 0.5;
+pub const SPECK: f64 = 0.5;
 
 /// Chooses the levels of a mesh and cuts it there.
 ///

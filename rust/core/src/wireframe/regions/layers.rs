@@ -4,11 +4,11 @@
 //! same slicer as the levels; which strip of its slab a layer's contour lies on follows from the
 //! surface, not from the contours' distance.
 
-use super::strips::{Slab, Strip, all_strips};
-use super::{Sliced, sliced::SPECK};
 use crate::contours::{Contour, sliced as cut_contours};
 use crate::mesh::Mesh;
 use crate::slices::{Plane, Side};
+use crate::wireframe::plan::sliced::{SPECK, Sliced};
+use crate::wireframe::plan::strips::{Slab, Strip, all_strips};
 
 /// One layer of a slab.
 #[derive(Debug, Clone)]

@@ -9,7 +9,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::contours::Contour;
-use crate::mesh::union_find::UnionFind;
+use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// A connected piece of the surface between two heights.

@@ -3,12 +3,13 @@
 
 use glam::DVec3;
 
-use super::build::{Build, Ground};
-use super::builder::SAME;
-use super::columns::Need;
-use super::guide::Spokes;
-use super::slab::{Job, Top};
-use super::{PlacedPost, Strand, Unprinted};
+use crate::strand::Strand;
+use crate::wireframe::build::{Build, Ground};
+use crate::wireframe::frame::{PlacedPost, Unprinted};
+use crate::wireframe::lay::columns::Need;
+use crate::wireframe::lay::journal::SAME;
+use crate::wireframe::lay::slab::{Job, Top};
+use crate::wireframe::place::guide::Spokes;
 
 /// The order in which the contours of a slab are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,7 +109,7 @@ pub fn costs(
 impl Build<'_> {
     /// Prints a slab in the best of several orders; gives what stands at its top. A slab that is
     /// whole, with no more than `near` mm² of sag, is only tried along a shorter way.
-    pub(super) fn best_order(
+    pub(in crate::wireframe) fn best_order(
         &mut self,
         top: &Top,
         jobs: &[Job],
@@ -137,14 +138,14 @@ impl Build<'_> {
     }
 
     /// Whether all was printed since a mark, with no more than `near` mm² of sag.
-    pub(super) fn is_whole(&self, mark: &Mark, near: f64) -> bool {
+    pub(in crate::wireframe) fn is_whole(&self, mark: &Mark, near: f64) -> bool {
         self.unprinted.len() == mark.unprinted
             && self.wants.columns.len() == mark.columns
             && self.sag - mark.sag <= near
     }
 
     /// How far the print has come.
-    pub(super) fn mark(&self) -> Mark {
+    pub(in crate::wireframe) fn mark(&self) -> Mark {
         Mark {
             strands: self.out.strands.len(),
             posts: self.posts.len(),

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::contours::polygon;
+use crate::geometry::polygon;
 
 /// The parts of a polyline, at least `least` mm long, that lie within an even number of closed
 /// rings.

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use glam::{DVec2, DVec3};
 
-use super::segments::Segments;
+use crate::geometry::segments::Segments;
 
 /// A printed polyline, open or closed.
 #[derive(Debug, Clone, Default)]

@@ -5,17 +5,19 @@ use std::f64::consts::FRAC_PI_4;
 
 use glam::DVec2;
 
-use super::build::{Build, Ground};
-use super::curve::Curve;
-use super::hang::LEDGE;
-use super::hatch::hatch;
-use super::layered::{Stretch, closed_rim, rim_of};
-use super::lids::outside;
-use super::rim::{Footing, Rim};
-use super::strips::Strip;
-use super::{Kind, Reason};
-use crate::contours::{Contour, polygon};
+use crate::contours::Contour;
+use crate::geometry::curve::Curve;
+use crate::geometry::hatch::hatch;
+use crate::geometry::polygon;
 use crate::slices::heights::Level;
+use crate::strand::Kind;
+use crate::wireframe::build::{Build, Ground};
+use crate::wireframe::frame::Reason;
+use crate::wireframe::lay::hang::LEDGE;
+use crate::wireframe::place::rim::{Footing, Rim};
+use crate::wireframe::plan::strips::Strip;
+use crate::wireframe::regions::layered::{Stretch, closed_rim, rim_of};
+use crate::wireframe::regions::lids::outside;
 
 /// A contour printed on top of another lies higher by this part of the strand's diameter.
 const LIFT: f64 = 0.4;
@@ -31,7 +33,7 @@ pub const HELD: f64 = 0.25;
 impl Build<'_> {
     /// From the contours that end a slab to those that begin the next: the same rim where they
     /// are the same curve; where they are not (a split, a merge, a step), printed on top.
-    pub(super) fn transition(&mut self, level: usize, mut printed: Ground) -> Ground {
+    pub(in crate::wireframe) fn transition(&mut self, level: usize, mut printed: Ground) -> Ground {
         let Some(ledges) = &self.sliced.ledges[level] else { return printed };
         let contours = &self.sliced.upper[level];
         let z = self.sliced.levels[level].z;
@@ -156,7 +158,7 @@ impl Build<'_> {
     }
 
     /// Closes what ends at the foot of this slab.
-    pub(super) fn roofs_of_slab(&mut self, slab: usize, ground: &mut Ground) {
+    pub(in crate::wireframe) fn roofs_of_slab(&mut self, slab: usize, ground: &mut Ground) {
         for (s, strip) in self.sliced.strips[slab].iter().enumerate() {
             if self.layered.has(slab, s) {
                 continue;
@@ -169,7 +171,7 @@ impl Build<'_> {
     }
 
     /// Closes the region within an odd number of the given contours, as they were printed.
-    pub(super) fn close(&mut self, level: usize, which: &[u32], ground: &mut Ground) {
+    pub(in crate::wireframe) fn close(&mut self, level: usize, which: &[u32], ground: &mut Ground) {
         if !self.p.caps || which.iter().any(|&i| ground.rims[i as usize].is_none()) {
             return;
         }
@@ -247,7 +249,7 @@ impl Build<'_> {
     }
 
     /// Notes a strip that cannot be printed.
-    pub(super) fn give_up(&mut self, slab: usize, strip: usize, reason: Reason) {
+    pub(in crate::wireframe) fn give_up(&mut self, slab: usize, strip: usize, reason: Reason) {
         let piece = &self.sliced.strips[slab][strip];
         let (low, high) = (self.sliced.levels[slab].z, self.sliced.levels[slab + 1].z);
         let start = |contours: &[Contour], which: &[u32]| {

@@ -40,7 +40,9 @@ pub fn tour(start: DVec2, places: &[DVec2]) -> Vec<usize> {
 }
 
 fn nearest_first(start: DVec2, places: &[DVec2]) -> Vec<usize> {
-    let mut waiting = super::waiting::Waiting::new(places.iter().map(|&p| vec![vec![p]]).collect());
+    let mut waiting = crate::geometry::nearest_first::Waiting::new(
+        places.iter().map(|&p| vec![vec![p]]).collect(),
+    );
     let (mut at, mut way) = (start, Vec::with_capacity(places.len()));
     while let Some(next) = waiting.take_nearest(at) {
         at = places[next];

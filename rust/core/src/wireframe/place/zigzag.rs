@@ -2,15 +2,15 @@
 
 use glam::{DVec2, DVec3};
 
-use super::curve::Curve;
-use super::detours::place_through;
-use super::guide::{Kept, merged};
-use super::posts::{
+use crate::geometry::curve::Curve;
+use crate::head::Head;
+use crate::wireframe::place::guide::{Kept, merged};
+use crate::wireframe::place::posts::{
     Candidate, Post, PostParams, candidates, even_spacing, place, place_by_averaging, reachable,
 };
-use super::rim::{Footing, Rim};
-use super::walls::Walls;
-use crate::head::Head;
+use crate::wireframe::place::rim::{Footing, Rim};
+use crate::wireframe::place::through::place_through;
+use crate::wireframe::place::walls::Walls;
 
 /// How posts are placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,21 +2,24 @@
 
 use glam::DVec2;
 
-use super::build::{Build, Ground, Standing};
-use super::builder::Course;
-use super::curve::Curve;
-use super::guide::Kept;
-use super::layered::{self, LayeredSlab, Piece};
-use super::posts::Post;
-use super::rim::{Footing, Rim};
-use super::strips::Strip;
-use super::tour::tour;
-use super::trial::Order;
-use super::waiting::{Waiting, bounds};
-use super::walls::Walls;
-use super::zigzag::{Step, ZigzagInput, zigzag};
-use super::{Kind, Pattern, PlacedPost, Reason, Sliced};
+use crate::geometry::curve::Curve;
+use crate::geometry::nearest_first::{Waiting, bounds};
+use crate::geometry::tour::tour;
 use crate::head::Head;
+use crate::strand::Kind;
+use crate::wireframe::build::{Build, Ground, Standing};
+use crate::wireframe::frame::{PlacedPost, Reason};
+use crate::wireframe::lay::journal::Course;
+use crate::wireframe::order::search::Order;
+use crate::wireframe::params::Pattern;
+use crate::wireframe::place::guide::Kept;
+use crate::wireframe::place::posts::Post;
+use crate::wireframe::place::rim::{Footing, Rim};
+use crate::wireframe::place::walls::Walls;
+use crate::wireframe::place::zigzag::{Step, ZigzagInput, zigzag};
+use crate::wireframe::plan::sliced::Sliced;
+use crate::wireframe::plan::strips::Strip;
+use crate::wireframe::regions::layered::{self, LayeredSlab, Piece};
 
 /// A contour printed in the air follows the model to this part of the strand's diameter.
 const FOLLOW: f64 = 0.5;
@@ -45,7 +48,7 @@ const LEANING: f64 = 0.9;
 
 /// What all contours at the top of one slab share; depends on the slices alone.
 pub struct Top {
-    pub(super) slab: usize,
+    pub(in crate::wireframe) slab: usize,
     z: f64,
     /// The contours, and behind them the wire pieces of those that are layers in part.
     curves: Vec<Option<Curve>>,
@@ -98,7 +101,7 @@ fn all_layers<'a>(
 
 impl Build<'_> {
     /// Prints one slab; gives what stands at its top.
-    pub(super) fn slab(&mut self, slab: usize, ground: &mut Ground) -> Ground {
+    pub(in crate::wireframe) fn slab(&mut self, slab: usize, ground: &mut Ground) -> Ground {
         let top = self.tops.get(slab);
         let jobs = self.jobs(top, &ground.rims);
         if !self.guide.is_empty() {
@@ -142,7 +145,7 @@ impl Build<'_> {
     }
 
     /// Prints one slab in one order.
-    pub(super) fn slab_in(
+    pub(in crate::wireframe) fn slab_in(
         &mut self,
         order: Order,
         top: &Top,
@@ -384,7 +387,13 @@ impl Build<'_> {
     }
 
     /// Prints a contour in the air, without the stretches that would hang too far.
-    pub(super) fn follow(&mut self, curve: &Curve, standing: &Standing, z: f64, kind: Kind) -> Rim {
+    pub(in crate::wireframe) fn follow(
+        &mut self,
+        curve: &Curve,
+        standing: &Standing,
+        z: f64,
+        kind: Kind,
+    ) -> Rim {
         let (tolerance, longest) = (FOLLOW * self.p.strand, self.p.span_limit);
         let course = Course { start: standing.start, z, tolerance, longest, kind };
         let (rim, left_out) = self.out.ring(curve, &standing.posts, &course);

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::segments::Segments;
+use crate::geometry::segments::Segments;
 
 /// Turns of more than this within [`CORNER_REACH`] are corners, rad.
 const CORNER: f64 = 0.6;

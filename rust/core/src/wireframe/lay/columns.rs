@@ -6,12 +6,13 @@
 
 use glam::DVec2;
 
-use super::Sliced;
-use super::curve::Curve;
-use super::posts::Post;
-use super::slab::gaps;
-use super::strips::Strip;
-use crate::contours::{Contour, polygon};
+use crate::contours::Contour;
+use crate::geometry::curve::Curve;
+use crate::geometry::polygon;
+use crate::wireframe::lay::slab::gaps;
+use crate::wireframe::place::posts::Post;
+use crate::wireframe::plan::sliced::Sliced;
+use crate::wireframe::plan::strips::Strip;
 
 /// Radius of a column, mm: room for three posts at the middle of the usual slab heights.
 const RADIUS: f64 = 4.0;

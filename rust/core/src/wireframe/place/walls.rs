@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::curve::Curve;
+use crate::geometry::curve::Curve;
 
 /// A place on a contour: its number, arc length (mm) and position.
 type Sample = (u32, f64, DVec2);

@@ -1,0 +1,9 @@
+//! Plane geometry that every stage shares; it knows of no stage.
+
+pub mod curve;
+pub mod disjoint_sets;
+pub mod hatch;
+pub mod nearest_first;
+pub mod polygon;
+pub mod segments;
+pub mod tour;

@@ -1,0 +1,68 @@
+//! Strands and moves, and what they are for: the one list of kinds, below every stage that names them.
+
+use glam::DVec3;
+
+/// What a strand is for; the discriminants are the codes of every `kind` array.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum Kind {
+    /// A move without extrusion.
+    Travel = 0,
+    /// Part of a horizontal contour.
+    Contour = 1,
+    /// Upward stroke of a zigzag.
+    Post = 2,
+    /// Downward stroke of a zigzag.
+    Diagonal = 3,
+    /// Strand that closes a horizontal face.
+    Cap = 4,
+    /// Part of a stacked layer.
+    LayerWise = 5,
+    /// Strand that carries what would hang in the air.
+    Support = 6,
+    /// Line around the print that primes the nozzle.
+    Skirt = 7,
+    /// Flat rings that hold the first contour to the bed.
+    Brim = 8,
+    /// Filament pulled back (no displacement).
+    Retract = 9,
+    /// Filament pushed forward again (no displacement).
+    Unretract = 10,
+    /// Part of a stacked layer behind the outer wall.
+    LayerFill = 11,
+}
+
+impl Kind {
+    /// Whether it is part of a stacked layer.
+    #[must_use]
+    pub fn is_layered(self) -> bool {
+        matches!(self, Self::LayerWise | Self::LayerFill)
+    }
+}
+
+/// One extruded stroke, in printing order within its wireframe.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strand {
+    /// Where it begins, mm.
+    pub from: DVec3,
+    /// Where it ends, mm.
+    pub to: DVec3,
+    /// What it is for.
+    pub kind: Kind,
+    /// Index of the slab (0 at the bed) it belongs to.
+    pub slab: u32,
+    /// Whether it ends in the air, where it must hold by itself.
+    pub floating: bool,
+    /// Filament that it takes, as a share of what a free strand of its length would.
+    pub flow: f64,
+    /// Whether the head may come to it straight, with nothing in the way.
+    pub direct: bool,
+}
+
+impl Strand {
+    /// Whether it climbs or falls between two heights: most of it floats.
+    #[must_use]
+    pub fn slab_rises(&self) -> bool {
+        matches!(self.kind, Kind::Post | Kind::Diagonal | Kind::Support)
+    }
+}

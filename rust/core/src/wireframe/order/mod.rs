@@ -1,0 +1,3 @@
+//! Which contour of a slab comes first.
+
+pub mod search;

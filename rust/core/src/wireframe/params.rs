@@ -1,0 +1,33 @@
+//! What a wireframe depends on.
+
+use crate::wireframe::place::zigzag::Placement;
+
+/// How slabs are filled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pattern {
+    /// Contours joined by zigzags (paper, figure 4).
+    Zigzag,
+    /// Zigzags alone: the peaks of one carry the bases of the next (paper, figure 7c).
+    Peaks,
+}
+
+/// What the wireframe depends on; lengths in mm.
+#[derive(Debug, Clone, Copy)]
+pub struct WireParams {
+    /// Diameter of a strand.
+    pub strand: f64,
+    /// How slabs are filled.
+    pub pattern: Pattern,
+    /// How posts are placed.
+    pub placement: Placement,
+    /// Whether flat faces are closed.
+    pub caps: bool,
+    /// Whether what begins in the air is supported.
+    pub supports: bool,
+    /// Distance between the strands of a cap.
+    pub cap_spacing: f64,
+    /// Longest stretch between two supports.
+    pub span_limit: f64,
+    /// Longest stroke that ends in the air.
+    pub free_end_limit: f64,
+}

@@ -1,0 +1,8 @@
+//! Where the posts of a contour stand.
+
+pub mod guide;
+pub mod posts;
+pub mod rim;
+pub mod through;
+pub mod walls;
+pub mod zigzag;

@@ -1,0 +1,4 @@
+//! What there is to print: levels, contours, strips.
+
+pub mod sliced;
+pub mod strips;

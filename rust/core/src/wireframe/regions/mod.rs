@@ -1,0 +1,6 @@
+//! The parts of a wire print that are stacked layers.
+
+pub mod ahead;
+pub mod layered;
+pub mod layers;
+pub mod lids;
