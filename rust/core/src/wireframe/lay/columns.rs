@@ -9,7 +9,7 @@ use glam::DVec2;
 use crate::contours::Contour;
 use crate::geometry::curve::Curve;
 use crate::geometry::polygon;
-use crate::wireframe::lay::slab::gaps;
+use crate::wireframe::place::gaps::gaps;
 use crate::wireframe::place::posts::Post;
 use crate::wireframe::plan::sliced::Sliced;
 use crate::wireframe::plan::strips::Strip;
@@ -30,16 +30,6 @@ pub struct Need {
     pub place: DVec2,
 }
 
-/// What the first pass of a build wants added for the second.
-#[derive(Debug, Default)]
-pub struct Wants {
-    /// Places for columns.
-    pub columns: Vec<Need>,
-    /// Strips, by slab and number, that lean too far to be climbed: their lower contours are
-    /// closed instead.
-    pub roofs: Vec<(usize, usize)>,
-}
-
 /// The places in a contour's wide gaps, wider than `widest` mm; all around where it has no posts.
 pub fn needs(curve: &Curve, start: f64, posts: &[Post], level: usize, widest: f64) -> Vec<Need> {
     let all_around = [(0.0, curve.length())];
@@ -58,13 +48,13 @@ pub fn needs(curve: &Curve, start: f64, posts: &[Post], level: usize, widest: f6
 }
 
 /// Adds columns to the slices under the wanted places, and roofs.
-pub fn add(sliced: &mut Sliced, wants: &Wants) {
-    for &(slab, strip) in &wants.roofs {
+pub fn add(sliced: &mut Sliced, columns: &[Need], roofs: &[(usize, usize)]) {
+    for &(slab, strip) in roofs {
         sliced.strips[slab][strip].roofed = true;
     }
     let bounds = Bounds::of(sliced);
     let drawn_in = |need: &Need| Need { place: bounds.draw_in(need.place), ..*need };
-    let needs: Vec<Need> = wants.columns.iter().map(drawn_in).collect();
+    let needs: Vec<Need> = columns.iter().map(drawn_in).collect();
     for (need, foot) in spread(sliced, &needs) {
         let mut below: Option<u32> = None;
         for level in foot..=need.level {

@@ -1,8 +1,26 @@
 //! Strands in printing order, slab by slab.
+//!
+//! Every planner here takes the [`context`], which does not change, and the [`journal`], into which
+//! it prints; a mark and a rollback take back whatever was printed on trial.
 
+pub mod bare_rims;
+pub mod bed;
+pub mod begin;
 pub mod columns;
+pub mod context;
+pub mod contour;
+pub mod faces;
+pub mod ground;
 pub mod hang;
+pub mod job;
 pub mod journal;
+pub mod layers;
 pub mod level;
+pub mod obstacles;
+pub mod order;
+pub mod ring;
 pub mod slab;
+pub mod stand;
+pub mod strokes;
+pub mod ties;
 pub mod tops;

@@ -1,0 +1,30 @@
+//! What stands at one height, and what the next slab stands on.
+
+use crate::wireframe::place::posts::Post;
+use crate::wireframe::place::rim::Rim;
+
+/// What stands at one height: the rims by contour, and the strands that close faces there.
+#[derive(Clone, Default)]
+pub struct Ground {
+    /// Rim of each contour, if it is printed.
+    pub rims: Vec<Option<Rim>>,
+    /// Other strands of this height, as open rims.
+    pub lines: Vec<Rim>,
+}
+
+impl Ground {
+    /// Everything printed at this height.
+    pub fn all(&self) -> Vec<&Rim> {
+        self.rims.iter().flatten().chain(&self.lines).filter(|r| r.printed).collect()
+    }
+}
+
+/// A contour whose posts stand.
+pub struct Standing {
+    /// The number of its curve at the slab's top.
+    pub curve: usize,
+    /// Arc length where the chain of posts begins, mm.
+    pub start: f64,
+    /// Its posts, by arc length from there.
+    pub posts: Vec<Post>,
+}
