@@ -1,5 +1,7 @@
 //! What stands at one height, and what the next slab stands on.
 
+use crate::geometry::curve::Curve;
+use crate::geometry::nearest_first::bounds;
 use crate::wireframe::place::posts::Post;
 use crate::wireframe::place::rim::Rim;
 
@@ -13,9 +15,16 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// Everything printed at this height.
-    pub fn all(&self) -> Vec<&Rim> {
-        self.rims.iter().flatten().chain(&self.lines).filter(|r| r.printed).collect()
+    /// Everything printed at this height that may lie within `reach` mm of a curve in plan.
+    #[must_use]
+    pub fn near(&self, curve: &Curve, reach: f64) -> Vec<&Rim> {
+        let (low, high) = bounds(curve.points().iter().copied());
+        let (low, high) = (low - reach, high + reach);
+        let is_near = |rim: &&Rim| {
+            let (from, to) = bounds(rim.points.iter().map(|p| p.truncate()));
+            rim.printed && from.cmple(high).all() && to.cmpge(low).all()
+        };
+        self.rims.iter().flatten().chain(&self.lines).filter(is_near).collect()
     }
 }
 

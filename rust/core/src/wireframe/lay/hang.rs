@@ -31,7 +31,7 @@ pub fn hang(
         return None;
     }
     let kind = if inside { Kind::Cap } else { Kind::Support };
-    let neighbours = printed.all();
+    let neighbours = printed.near(curve, cx.p.free_end_limit);
     let standing = match spokes(cx, journal, Flat { curve, z }, &neighbours, kind, TIE, |_| true) {
         Some(standing) => Some(standing),
         None if cx.p.supports => bridged(cx, journal, curve, z, printed),

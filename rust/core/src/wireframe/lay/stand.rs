@@ -41,7 +41,21 @@ pub fn posts_of(
     if standing.is_some() || !cx.p.supports {
         return standing;
     }
-    stand_on(cx, journal, top, job, &ground.all(), Kind::Support)
+    // Elsewhere it stands only where something else lies nearer than its own walls do.
+    let curve = top.curves[job.curve].as_ref()?;
+    let reach = farthest(curve, &own).min(cx.p.free_end_limit);
+    let near = ground.near(curve, reach);
+    if near.iter().all(|rim| own.iter().any(|carrier| std::ptr::eq(*carrier, *rim))) {
+        return None;
+    }
+    stand_on(cx, journal, top, job, &near, Kind::Support)
+}
+
+/// How far a curve's vertices lie from rims, the farthest of them, mm; infinite without rims.
+fn farthest(curve: &Curve, rims: &[&Rim]) -> f64 {
+    let footing = Footing::new(rims);
+    let off = |&p: &DVec2| footing.nearest(p).map_or(f64::INFINITY, |f| f.distance);
+    curve.points().iter().map(off).fold(0.0, f64::max)
 }
 
 /// What the zigzag up to a contour is made from.

@@ -107,7 +107,7 @@ pub fn tighten(
             into > margin && into < gap - margin
         })
     };
-    let neighbours = printed.all();
+    let neighbours = printed.near(curve, cx.p.free_end_limit);
     let ties = spokes(cx, journal, flat, &neighbours, Kind::Cap, TIE, wanted);
     let Standing { curve: number, start, mut posts } = standing;
     if let Some(ties) = ties {

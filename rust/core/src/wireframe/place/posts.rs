@@ -105,8 +105,9 @@ pub fn candidates(
         }
     }
     let mut last = 0;
+    let reach = farthest(curve, &footing) + step;
     for vertex in footing.vertices() {
-        if let Some(s) = above(curve, vertex, &footing, step, &mut last) {
+        if let Some(s) = above(curve, vertex, &footing, step, reach, &mut last) {
             let ahead = curve.forward(start, s);
             // Rounding may put the start itself a full lap ahead.
             let at_start = curve.is_closed() && length - ahead < 1e-6;
@@ -134,18 +135,27 @@ pub fn candidates(
 }
 
 /// Arc length of the contour's point next to a rim vertex, if the two are each other's nearest.
-/// `last` is the segment of the contour where the search begins, and ends.
+/// `reach` is how far from the contour such a vertex can lie at most, mm; `last` is the segment of
+/// the contour where the search begins, and ends.
 fn above(
     curve: &Curve,
     vertex: DVec3,
     footing: &Footing,
     step: f64,
+    reach: f64,
     last: &mut usize,
 ) -> Option<f64> {
     let (place, segment) = curve.nearest_from(vertex.truncate(), *last);
     *last = segment;
     let away = place.position.distance(vertex.truncate());
-    footing.is_back(vertex, place.position, away, step).then_some(place.s)
+    (away < reach && footing.is_back(vertex, place.position, away, step)).then_some(place.s)
+}
+
+/// No point of a curve lies farther from the rims than this, mm.
+fn farthest(curve: &Curve, footing: &Footing) -> f64 {
+    let from = curve.position(0.0);
+    let across = curve.points().iter().map(|p| p.distance(from)).fold(0.0, f64::max);
+    footing.nearest(from).map_or(f64::INFINITY, |foothold| foothold.distance + across)
 }
 
 fn merge_close(places: &mut Vec<(f64, Option<DVec3>)>, reach: f64) {
