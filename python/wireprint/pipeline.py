@@ -88,7 +88,7 @@ class WirePrint:
             "repaired": report.repairs(self.mesh),
             "unprinted": self._unprinted(),
             "regions": None if self.regions is None else report.regions(self.regions),
-            "warnings": report.warnings(self.mesh),
+            "warnings": [*report.warnings(self.mesh), *report.slowed(self.settings)],
             "timings_s": self.timings_s,
         }
 

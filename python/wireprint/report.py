@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.runs import Section
     from wireprint.regions import Region
+    from wireprint.settings import Settings
 
 #: Counts of a mesh's report that are repairs, and how they read.
 _REPAIRS: Final = {
@@ -131,6 +132,19 @@ def repairs(mesh: Mesh) -> list[str]:
 def warnings(mesh: Mesh) -> list[str]:
     """Sentences about faults of a mesh that stay."""
     return _sentences(mesh.report, _WARNINGS)
+
+
+def slowed(settings: Settings) -> list[str]:
+    """Sentences about speeds that the hot end does not reach, for want of molten filament."""
+    extruder, speeds = settings.printer.extruder, settings.printer.speeds
+    asked = {"print_mm_s": speeds.print_mm_s, "first_layer_mm_s": speeds.first_layer_mm_s}
+    return [
+        f"speeds.{name} {value:g} is more than the hot end melts "
+        f"(extruder.max_flow_mm3_s {extruder.max_flow_mm3_s:g}): printed at "
+        f"{getattr(settings, name):.1f} mm/s"
+        for name, value in asked.items()
+        if getattr(settings, name) < value
+    ]
 
 
 def unprinted(wireframe: Wireframe) -> list[Unprinted]:

@@ -17,16 +17,24 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-Positive = Annotated[float, Field(gt=0)]
-NotNegative = Annotated[float, Field(ge=0)]
-Millimetres = Annotated[float, Field(gt=0, le=2000)]
-LayerHeight = Annotated[float, Field(gt=0, le=2)]
-PrintSpeed = Annotated[float, Field(gt=0, le=1000)]
-TravelSpeed = Annotated[float, Field(gt=0, le=2000)]
+# Bounds are what machines can be: from a watchmaker's printer to one that fills a hall. They keep
+# numbers away that would only overflow a formula or ask for more slices than there is memory.
+Millimetres = Annotated[float, Field(ge=0.1, le=2000)]
+BedSize = Annotated[float, Field(ge=10, le=5000)]
+Speed = Annotated[float, Field(ge=0.1, le=5000, description="mm/s")]
+Accel = Annotated[float, Field(ge=1, le=1e6, description="mm/s²")]
+CornerSpeed = Annotated[float, Field(ge=0, le=1000, description="mm/s")]
+Length = Annotated[float, Field(ge=1e-4, le=5000, description="mm")]
+StepsPerMm = Annotated[float, Field(ge=0.01, le=1e5)]
+LayerHeight = Annotated[float, Field(ge=0.02, le=2)]
+PrintSpeed = Annotated[float, Field(ge=0.1, le=1000)]
+TravelSpeed = Annotated[float, Field(ge=0.1, le=2000)]
 #: mm³/s; None: the printer's.
-Flow = Annotated[float, Field(gt=0, le=500)] | None
+Flow = Annotated[float, Field(ge=0.01, le=500)] | None
 Pixels = Annotated[int, Field(ge=8, le=2000)]
-PerAxis = Annotated[tuple[Positive, Positive, Positive, Positive], Field(description="X, Y, Z, E")]
+SpeedPerAxis = Annotated[tuple[Speed, Speed, Speed, Speed], Field(description="X, Y, Z, E")]
+AccelPerAxis = Annotated[tuple[Accel, Accel, Accel, Accel], Field(description="X, Y, Z, E")]
+StepsPerAxis = tuple[StepsPerMm, StepsPerMm, StepsPerMm, StepsPerMm]
 
 CoolingMethod = Literal["valve", "fan", "none"]
 Flavor = Literal["marlin", "reprapfirmware", "repetier", "klipper"]
@@ -43,10 +51,10 @@ class Bed(Section):
     """The build volume."""
 
     shape: Literal["round", "rectangular"]
-    diameter_mm: Millimetres | None = Field(None, description="of a round bed")
-    width_mm: Millimetres | None = Field(None, description="of a rectangular bed, along x")
-    depth_mm: Millimetres | None = Field(None, description="of a rectangular bed, along y")
-    height_mm: Millimetres = Field(description="greatest z of the tip")
+    diameter_mm: BedSize | None = Field(None, description="of a round bed")
+    width_mm: BedSize | None = Field(None, description="of a rectangular bed, along x")
+    depth_mm: BedSize | None = Field(None, description="of a rectangular bed, along y")
+    height_mm: BedSize = Field(description="greatest z of the tip")
     origin: Literal["centre", "corner"] = Field(description="where x = y = 0 lies")
 
     @model_validator(mode="after")
@@ -87,19 +95,21 @@ class Bed(Section):
 class Head(Section):
     """The nozzle and everything above it, as a body of revolution that opens upwards."""
 
-    nozzle_mm: float = Field(gt=0, le=5, description="diameter of the opening")
-    tip_radius_mm: float = Field(gt=0, le=10, description="radius of the flat tip")
+    nozzle_mm: float = Field(ge=0.05, le=5, description="diameter of the opening")
+    tip_radius_mm: float = Field(ge=0.025, le=10, description="radius of the flat tip")
     slant_deg: float = Field(
         ge=5, le=85, description="the flank's angle from the horizontal; the steepest descent"
     )
     cone_height_mm: float = Field(
-        gt=0, le=100, description="height above the tip at which the heater block begins"
+        ge=0.1, le=100, description="height above the tip at which the heater block begins"
     )
-    block_radius_mm: float = Field(gt=0, le=200, description="reach of heater block and fan ducts")
+    block_radius_mm: float = Field(
+        ge=0.1, le=200, description="reach of heater block and fan ducts"
+    )
     carriage_height_mm: float = Field(
-        gt=0, le=300, description="height above the tip at which the carriage begins"
+        ge=0.1, le=300, description="height above the tip at which the carriage begins"
     )
-    carriage_radius_mm: float = Field(gt=0, le=500, description="reach of the carriage")
+    carriage_radius_mm: float = Field(ge=0.1, le=500, description="reach of the carriage")
 
     @model_validator(mode="after")
     def _opens_upwards(self) -> Self:
@@ -115,36 +125,38 @@ class Head(Section):
 class Marlin(Section):
     """Limits as Marlin, Repetier and RepRapFirmware keep them, per axis."""
 
-    max_velocity: PerAxis = Field(description="M203, mm/s: X, Y, Z, E")
-    max_accel: PerAxis = Field(description="M201, mm/s²: X, Y, Z, E")
-    print_accel: Positive = Field(description="M204 P, mm/s²")
-    travel_accel: Positive = Field(description="M204 T, mm/s²")
-    retract_accel: Positive = Field(description="M204 R, mm/s²")
-    jerk: PerAxis | None = Field(None, description="M205 X Y Z E, mm/s; None: junction deviation")
-    junction_deviation: Positive = Field(0.013, description="mm; Marlin 2.1's default")
-    steps_per_mm: PerAxis | None = Field(None, description="M92: X, Y, Z, E")
+    max_velocity: SpeedPerAxis = Field(description="M203, mm/s: X, Y, Z, E")
+    max_accel: AccelPerAxis = Field(description="M201, mm/s²: X, Y, Z, E")
+    print_accel: Accel = Field(description="M204 P, mm/s²")
+    travel_accel: Accel = Field(description="M204 T, mm/s²")
+    retract_accel: Accel = Field(description="M204 R, mm/s²")
+    jerk: tuple[CornerSpeed, CornerSpeed, CornerSpeed, CornerSpeed] | None = Field(
+        None, description="M205 X Y Z E, mm/s; None: junction deviation"
+    )
+    junction_deviation: Length = Field(0.013, description="mm; Marlin 2.1's default")
+    steps_per_mm: StepsPerAxis | None = Field(None, description="M92: X, Y, Z, E")
 
 
 class Motion(Section):
     """Limits of the machine under the names of Klipper (mm, mm/s, mm/s²)."""
 
-    max_velocity: Positive
-    max_accel: Positive
-    square_corner_velocity: NotNegative = Field(5.0, description="Klipper's default")
+    max_velocity: Speed
+    max_accel: Accel
+    square_corner_velocity: CornerSpeed = Field(5.0, description="Klipper's default")
     minimum_cruise_ratio: float = Field(0.5, ge=0, lt=1, description="Klipper's default")
-    max_z_velocity: Positive
-    max_z_accel: Positive
-    max_extrude_only_velocity: Positive
-    max_extrude_only_accel: Positive
-    instantaneous_corner_velocity: NotNegative = Field(1.0, description="Klipper's default")
-    arc_resolution: Positive = Field(1.0, description="mm; Klipper's default")
-    delta_radius: Positive | None = Field(None, description="mm; delta: effector to tower")
-    arm_length: Positive | None = Field(None, description="mm; delta: diagonal rod")
-    print_radius: Positive | None = Field(
+    max_z_velocity: Speed
+    max_z_accel: Accel
+    max_extrude_only_velocity: Speed
+    max_extrude_only_accel: Accel
+    instantaneous_corner_velocity: CornerSpeed = Field(1.0, description="Klipper's default")
+    arc_resolution: Length = Field(1.0, description="mm; Klipper's default")
+    delta_radius: Length | None = Field(None, description="mm; delta: effector to tower")
+    arm_length: Length | None = Field(None, description="mm; delta: diagonal rod")
+    print_radius: Length | None = Field(
         None, description="mm; delta: as in Klipper's tables; the bed's size counts here"
     )
-    step_distance: Positive | None = Field(None, description="mm; delta: travel of one microstep")
-    endstop_height: Positive | None = Field(None, description="mm; delta: tip over bed after G28")
+    step_distance: Length | None = Field(None, description="mm; delta: travel of one microstep")
+    endstop_height: Length | None = Field(None, description="mm; delta: tip over bed after G28")
     marlin: Marlin | None = Field(None, description="the same for Marlin and its relatives")
 
 
@@ -153,19 +165,19 @@ class Extruder(Section):
 
     filament_diameter_mm: float = Field(ge=1, le=4)
     retract_mm: float = Field(ge=0, le=20, description="pulled back before a travel; 0: never")
-    retract_speed_mm_s: float = Field(gt=0, le=200)
-    unretract_speed_mm_s: float = Field(gt=0, le=200)
-    max_flow_mm3_s: float = Field(gt=0, le=200, description="what the hot end melts")
+    retract_speed_mm_s: float = Field(ge=0.1, le=200)
+    unretract_speed_mm_s: float = Field(ge=0.1, le=200)
+    max_flow_mm3_s: float = Field(ge=0.01, le=200, description="what the hot end melts")
 
 
 class Speeds(Section):
     """How fast the head moves."""
 
     print_mm_s: float = Field(
-        gt=0, le=500, description="along strands; 30 is the paper's optimum with a 1 s pause"
+        ge=0.1, le=500, description="along strands; 30 is the paper's optimum with a 1 s pause"
     )
-    travel_mm_s: float = Field(gt=0, le=1000)
-    first_layer_mm_s: float = Field(gt=0, le=500, description="along strands that lie on the bed")
+    travel_mm_s: float = Field(ge=0.1, le=1000)
+    first_layer_mm_s: float = Field(ge=0.1, le=500, description="along strands that lie on the bed")
 
 
 class Cooling(Section):
@@ -174,7 +186,9 @@ class Cooling(Section):
     method: CoolingMethod = Field(
         description="valve: air jets switched by M42; fan: the part fan; none: a longer pause"
     )
-    valve_pin: int | None = Field(None, ge=0, description="number of the valve's pin for M42")
+    valve_pin: int | None = Field(
+        None, ge=0, le=100000, description="number of the valve's pin for M42"
+    )
     valve_output: str = Field(
         "wire_air", pattern=r"^\w+$", description="the valve's [output_pin] under Klipper"
     )
@@ -236,9 +250,9 @@ class Printer(Section):
 class HeatTransfer(Section):
     """Heat-transfer coefficient from strand to air, W/(m²·K), by cooling method."""
 
-    none: float = Field(60.0, gt=0, le=1000, description="free convection about a 0.7 mm strand")
-    fan: float = Field(100.0, gt=0, le=1000, description="a part fan")
-    valve: float = Field(200.0, gt=0, le=1000, description="compressed air on the strand")
+    none: float = Field(60.0, ge=1, le=1000, description="free convection about a 0.7 mm strand")
+    fan: float = Field(100.0, ge=1, le=1000, description="a part fan")
+    valve: float = Field(200.0, ge=1, le=1000, description="compressed air on the strand")
 
 
 class Material(Section):
@@ -246,10 +260,10 @@ class Material(Section):
 
     name: str
     density_g_cm3: float = Field(gt=0.5, le=10)
-    price_per_kg: float = Field(ge=0, description="in the user's currency")
+    price_per_kg: float = Field(ge=0, le=1e6, description="in the user's currency")
     nozzle_c: int = Field(ge=100, le=500, description="temperature of the nozzle")
     bed_c: int = Field(ge=0, le=200, description="temperature of the bed")
-    solidify_c: float = Field(gt=0, le=400, description="temperature at which a strand holds")
+    solidify_c: float = Field(ge=0, le=400, description="temperature at which a strand holds")
     air_c: float = Field(25.0, ge=-20, le=100, description="temperature around the print")
     specific_heat_j_kgk: float = Field(gt=100, le=5000, description="between nozzle and solidify")
     heat_transfer: HeatTransfer = Field(default_factory=HeatTransfer)
@@ -298,7 +312,7 @@ class Wire(Section):
         "optimal", description="of posts; paper: average of even spacing and nearest points"
     )
     deviation_target_mm: float = Field(
-        0.3, gt=0, le=10, description="mean deviation at which a slab counts as twice its time"
+        0.3, ge=0.001, le=10, description="mean deviation at which a slab counts as twice its time"
     )
     strategy: Literal["pause", "slow", "overshoot"] = Field(
         "pause", description="against sagging strokes; the paper found pause the fastest"
@@ -307,13 +321,16 @@ class Wire(Section):
         None, ge=0, le=60, description="at the end of a floating stroke; None: by the material"
     )
     slow_mm_s: float = Field(
-        5.0, gt=0, le=100, description="floating strokes under slow; CuraEngine's wire speed"
+        5.0, ge=0.1, le=100, description="floating strokes under slow; CuraEngine's wire speed"
     )
     overshoot_mm: float = Field(
         0.5, ge=0, le=5, description="over-travel under overshoot; CuraEngine's fall-down"
     )
     first_layer_height_mm: float | None = Field(
-        None, gt=0, le=5, description="tip over bed; None: half a nozzle, which squeezes a strand"
+        None,
+        ge=0.02,
+        le=5,
+        description="tip over bed; None: half a nozzle, which squeezes a strand",
     )
     brim_rings: int = Field(0, ge=0, le=50, description="flat rings about the first contours")
     skirt_rings: int = Field(1, ge=0, le=20, description="prime the nozzle; CuraEngine's default")
@@ -325,10 +342,10 @@ class Wire(Section):
         1.0, ge=0, le=50, description="by which a travel clears what stands; two strands' worth"
     )
     span_limit_mm: float = Field(
-        65.0, gt=0, le=500, description="longest stretch held at both ends; the paper's 6.5 cm"
+        65.0, ge=1, le=500, description="longest stretch held at both ends; the paper's 6.5 cm"
     )
     free_end_limit_mm: float = Field(
-        20.0, gt=0, le=200, description="longest stretch held at one end; estimated"
+        20.0, ge=1, le=200, description="longest stretch held at one end; estimated"
     )
     caps: bool = Field(True, description="close flat faces; off: the paper's open look")
     cap_spacing_mm: float = Field(
@@ -336,7 +353,7 @@ class Wire(Section):
     )
     supports: Literal["wire", "none"] = Field("wire", description="under what would hang in air")
     coverage_within_mm: float = Field(
-        4.0, gt=0, le=50, description="surface this near to a strand counts as covered"
+        4.0, ge=0.1, le=50, description="surface this near to a strand counts as covered"
     )
 
 
@@ -407,15 +424,15 @@ class FastProfile(LayerProfile):
     travel_mm_s: TravelSpeed = 500.0
     max_flow_mm3_s: Flow = Field(20.0, description="a high-flow hot end; None: the printer's")
     printer: str = Field("voron-2.4", description="profile of the CoreXY that it runs on")
-    max_velocity_mm_s: Positive = Field(500.0, description="in place of that profile's")
-    max_accel_mm_s2: Positive = Field(10000.0, description="in place of that profile's")
+    max_velocity_mm_s: Speed = Field(500.0, description="in place of that profile's")
+    max_accel_mm_s2: Accel = Field(10000.0, description="in place of that profile's")
 
 
 class Frame(Section):
     """A model's edges as beams; the paper's layer-wise wireframe, its figure 16b."""
 
     beam_mm: float = Field(
-        2.0, gt=0, le=50, description="width of a beam; reproduces the paper's 10:23"
+        2.0, ge=0.1, le=50, description="width of a beam; reproduces the paper's 10:23"
     )
     sharp_deg: float = Field(
         30.0, gt=0, lt=180, description="an edge that bends more is a feature; Blender's default"
@@ -497,6 +514,23 @@ class Settings(Section):
     def first_layer_height_mm(self) -> float:
         """Height of the tip over the bed where strands lie on it, mm."""
         return self.wire.first_layer_height_mm or self.printer.head.nozzle_mm / 2
+
+    @property
+    def print_mm_s(self) -> float:
+        """Speed along strands, mm/s: as asked for, but no faster than the hot end melts."""
+        return min(self.printer.speeds.print_mm_s, self._melting_mm_s)
+
+    @property
+    def first_layer_mm_s(self) -> float:
+        """Speed along strands on the bed, mm/s: likewise."""
+        return min(self.printer.speeds.first_layer_mm_s, self._melting_mm_s)
+
+    @property
+    def _melting_mm_s(self) -> float:
+        """Speed at which a strand takes all that the hot end melts, mm/s."""
+        section_mm2 = math.pi / 4 * self.printer.head.nozzle_mm**2
+        # A hair less: filament is written with finitely many digits.
+        return 0.999 * self.printer.extruder.max_flow_mm3_s / section_mm2
 
     @property
     def pause_s(self) -> float:
