@@ -20,7 +20,9 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from wireprint._core import (
+        FaultError,
         GcodeError,
+        MemoryLimitError,
         Mesh,
         ModelError,
         SettingError,
@@ -48,7 +50,9 @@ __all__ = [
     "Certificate",
     "Comparison",
     "Condition",
+    "FaultError",
     "GcodeError",
+    "MemoryLimitError",
     "Mesh",
     "Model",
     "ModelError",

@@ -18,6 +18,12 @@ pub enum CoreError {
     /// A G-code file cannot be read.
     #[error("{0}")]
     Gcode(String),
+    /// It would take more memory than a run may.
+    #[error("{0}")]
+    Memory(String),
+    /// A fault of ours: what should never happen did.
+    #[error("{0}")]
+    Fault(String),
     /// The operating system refused a file.
     #[error("{0}")]
     Io(#[from] std::io::Error),
@@ -30,6 +36,7 @@ impl CoreError {
         match self {
             Self::Unreadable(text) => Self::Unreadable(format!("{}: {text}", path.display())),
             Self::NoContour(text) => Self::NoContour(format!("{}: {text}", path.display())),
+            Self::Memory(text) => Self::Memory(format!("{}: {text}", path.display())),
             other => other,
         }
     }

@@ -13,6 +13,7 @@ pub mod fidelity;
 pub mod gcode;
 pub mod geometry;
 pub mod head;
+pub mod memory;
 pub mod mesh;
 pub mod planner;
 pub mod poses;

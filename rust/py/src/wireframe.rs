@@ -139,6 +139,7 @@ pub fn wireframe(
     let build = || {
         let sliced = core::plan::sliced::slice_model(mesh.core(), &head, &heights)?;
         layered.fits(&sliced)?;
+        sliced.claim_strands(&head)?;
         Ok(core::build::build(sliced, &layered, &head, &wire))
     };
     let core = detached(py, || in_pool(build))?;

@@ -16,6 +16,7 @@ mod orient;
 pub mod place;
 pub mod repair;
 mod restore;
+mod size;
 mod slivers;
 mod stitch;
 pub mod stl;
@@ -85,6 +86,7 @@ impl Mesh {
         limits: Limits,
         placement: &Placement,
     ) -> Result<(Self, RepairReport)> {
+        size::claim(faces.len() as u64)?;
         let (vertices, faces) = weld::weld_facets(vertices, faces)?;
         finished(vertices, faces, limits, placement)
     }

@@ -10,6 +10,7 @@ use std::path::Path;
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::size::claim;
 use super::weld::{self, Chunk};
 use crate::{CoreError, Result};
 
@@ -30,8 +31,14 @@ pub fn read(path: &Path) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
     let source = Source::open(path)?;
     let head = source.bytes(0, PROBE)?;
     let chunks = match binary::facets(&source, &head)? {
-        Some(facets) => binary::read(&source, facets)?,
-        None => ascii::read(&source)?,
+        Some(facets) => {
+            claim(facets).map_err(|error| error.in_file(path))?;
+            binary::read(&source, facets)?
+        }
+        None => {
+            claim(source.len / TEXT_FACET).map_err(|error| error.in_file(path))?;
+            ascii::read(&source)?
+        }
     };
     let corners = chunks.iter().map(Chunk::len).sum::<usize>();
     if corners == 0 {
@@ -41,6 +48,9 @@ pub fn read(path: &Path) -> Result<(Vec<DVec3>, Vec<[u32; 3]>)> {
     let vertices = weld::weld(&chunks, faces.as_flattened_mut());
     Ok((vertices, faces))
 }
+
+/// Bytes of a facet in text, about: seven short lines.
+const TEXT_FACET: u64 = 250;
 
 type Chunks = Vec<Chunk<[u32; 3]>>;
 

@@ -1,10 +1,13 @@
 //! All that is known of the model before the first strand: levels, contours, strips, ledges.
 
 use glam::DVec2;
+use rayon::prelude::*;
 
 use crate::contours::{Contour, sliced};
 use crate::error::{CoreError, Result};
+use crate::geometry::polygon;
 use crate::head::Head;
+use crate::memory;
 use crate::mesh::Mesh;
 use crate::slices::heights::{HeightParams, Level, choose_levels};
 use crate::slices::{Plane, Side};
@@ -38,6 +41,7 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
     let below = levels.iter().map(|l| Plane { z: l.low, side: Side::Below });
     let above = levels.iter().map(|l| Plane { z: l.high, side: Side::Above });
     let planes: Vec<Plane> = below.chain(above).collect();
+    claim_slices(mesh, &levels)?;
     let speck = SPECK * params.strand;
     let mut lower = sliced(mesh, &planes, speck);
     let upper = lower.split_off(levels.len());
@@ -72,6 +76,46 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
         ledges[*k] = Some(found);
     }
     Ok(Sliced { levels, lower, upper, strips, ledges })
+}
+
+/// What a point of a contour takes while slices are cut and nested, bytes.
+const PER_POINT: f64 = 256.0;
+
+/// Refuses slices that there is no memory for: each face gives a point to every slice that it
+/// crosses, from below and from above.
+fn claim_slices(mesh: &Mesh, levels: &[Level]) -> Result<()> {
+    let crossed = |f: usize| {
+        let [a, b, c] = mesh.corners(f).map(|corner| corner.z);
+        let first = levels.partition_point(|l| l.high < a.min(b).min(c));
+        levels.partition_point(|l| l.low <= a.max(b).max(c)).saturating_sub(first)
+    };
+    let points: usize = (0..mesh.faces.len()).into_par_iter().map(crossed).sum();
+    memory::claim((2.0 * PER_POINT * points as f64) as u64, || {
+        format!("{} slices of {} triangles", levels.len(), mesh.faces.len())
+    })
+}
+
+/// What a strand takes until it is written and judged, bytes: measured on a million of them.
+const PER_STRAND: f64 = 700.0;
+
+impl Sliced {
+    /// Refuses a wireframe that there is no memory for, judging by the length of its contours.
+    ///
+    /// # Errors
+    /// [`CoreError::Memory`].
+    pub fn claim_strands(&self, head: &Head) -> Result<()> {
+        let slabs = self.levels.windows(2).zip(&self.lower[1..]);
+        let strands = slabs.map(|(levels, contours)| {
+            let run = head.clearance(levels[1].z - levels[0].z);
+            let length = |c: &Contour| polygon::length(&c.points, c.closed);
+            // A post, a diagonal and a chord of the contour for each run.
+            contours.iter().map(|c| 1.0 + 3.0 * length(c) / run).sum::<f64>()
+        });
+        let strands = strands.sum::<f64>();
+        memory::claim((PER_STRAND * strands) as u64, || {
+            format!("a wire print of about {strands:.0} strands")
+        })
+    }
 }
 
 /// Whether two slices have the very same contours.
