@@ -4,6 +4,7 @@ import csv
 import dataclasses
 import io
 import json
+import random
 import signal
 import subprocess
 import sys
@@ -138,15 +139,39 @@ class Fragile:
         self.kills = kills
         self.task = None
 
-    def has_room(self):
+    def has_room(self, *, alone):
         return self.task is None
 
-    def start(self, one):
+    def start(self, one, *, alone):
         self.task = one
 
     def wait(self):
         one, self.task = self.task, None
-        return [(one, None if self.kills(one) else task.started(one))]
+        return [pool.Ended(one, None if self.kills(one) else task.started(one))]
+
+
+class Crowded:
+    """A pool of one worker of three threads, lost with all it has when one task kills it."""
+
+    def __init__(self, kills):
+        self.kills = kills
+        self.tasks = []
+        self.alone = False
+
+    def has_room(self, *, alone):
+        return not self.tasks if alone else len(self.tasks) < 3 and not self.alone
+
+    def start(self, one, *, alone):
+        self.tasks.append(one)
+        self.alone = alone
+
+    def wait(self):
+        tasks, self.tasks, self.alone = self.tasks, [], False
+        dead = any(self.kills(one) for one in tasks)
+        return [
+            pool.Ended(one, None if dead else task.started(one), alone=len(tasks) == 1)
+            for one in tasks
+        ]
 
 
 class TestPool:
@@ -167,6 +192,25 @@ class TestPool:
         assert errors.pop(3) == "its worker was lost 2 times"
         assert set(errors.values()) == {None}
         assert len(errors) == 7
+
+    def test_no_model_is_blamed_for_another_ones_deed(self, cubes):
+        found = list(pool.rows(planned(cubes), Crowded(lambda one: one.index in (3, 5))))
+        failures = {one.index for one, row in found if row["error"]}
+        assert failures == {3, 5}
+        assert len(found) == 8
+
+    def test_random_kills_make_no_failures_of_models_that_share_a_worker(self, cubes):
+        dice = random.Random(7)
+        losses = []
+
+        def unlucky(one):
+            # The worker is lost now and then, but never twice with the same model alone.
+            lost = dice.random() < 0.3 and losses.count(one.index) < 3
+            losses.extend([one.index] * lost)
+            return lost and losses.count(one.index) < 2
+
+        found = list(pool.rows(planned(cubes), Crowded(unlucky)))
+        assert {row["error"] for _, row in found} == {None}
 
 
 class TestProcesses:

@@ -30,7 +30,11 @@ PATIENCE_S = 60
 def dask(*arguments):
     """Run a command of Dask's in a session of its own; end all of it afterwards."""
     # Workers import the jobs of the tests; the core's threads would only queue.
-    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parent), "RAYON_NUM_THREADS": "1"}
+    places = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
+    environment = os.environ | {
+        "PYTHONPATH": os.pathsep.join(filter(None, places)),
+        "RAYON_NUM_THREADS": "1",
+    }
     process = subprocess.Popen(
         [sys.executable, "-m", "dask", *map(str, arguments)],
         env=environment,
@@ -174,3 +178,27 @@ def test_a_scheduler_that_does_not_answer_is_refused(monkeypatch):
     monkeypatch.setattr(cluster, "CONNECT_WITHIN_S", 1.0)
     with pytest.raises(SettingError, match=r"no scheduler answers at tcp://127\.0\.0\.1:1"):
         Cluster(job(bench_jobs.quick), "tcp://127.0.0.1:1")
+
+
+def test_workers_with_other_code_are_refused_by_hash(scheduler, tasks, monkeypatch):
+    monkeypatch.setattr(cluster, "_ours", lambda: ("0.0.0", "another"))
+    with pytest.raises(WireprintError, match=r"no worker .* this is 0\.0\.0 \(another\)"):
+        Cluster(job(bench_jobs.quick), scheduler[0])
+
+
+def test_a_scheduler_that_is_lost_is_named(tmp_path, tasks, monkeypatch):
+    card = tmp_path / "lost.json"
+    local = ["--host", "127.0.0.1", "--no-dashboard"]
+    with dask("scheduler", "--scheduler-file", card, "--port", 0, *local) as process:
+        address = awaited(lambda: address_on(card))
+        monkeypatch.setattr(cluster, "CONNECT_WITHIN_S", 3.0)
+        with Cluster(job(bench_jobs.quick), address) as opened:
+            killed(process)
+            with pytest.raises(WireprintError, match=r"scheduler at .* is gone; the rows so far"):
+                list(pool.rows(tasks, opened))
+
+
+def test_tls_without_certificates_is_explained(monkeypatch):
+    monkeypatch.setattr(cluster, "CONNECT_WITHIN_S", 1.0)
+    with pytest.raises(SettingError, match="tls needs certificates"):
+        Cluster(job(bench_jobs.quick), "tls://127.0.0.1:1")

@@ -10,6 +10,7 @@ from multiprocessing import connection
 from typing import TYPE_CHECKING
 
 from wireprint.bench import task as bench_task
+from wireprint.bench.pool import Ended
 from wireprint.threads import cores
 
 if TYPE_CHECKING:
@@ -45,18 +46,18 @@ class Processes:
         for worker in [*self._idle, *(worker for worker, _ in self._busy.values())]:
             worker.stop()
 
-    def has_room(self) -> bool:
+    def has_room(self, *, alone: bool) -> bool:
         """Tell whether a process is idle or may yet be started."""
         return len(self._busy) < self._room
 
-    def start(self, task: Task) -> None:
+    def start(self, task: Task, *, alone: bool) -> None:
         """Give a task to an idle process."""
         worker = self._idle.pop() if self._idle else self._started()
         with suppress(OSError):  # It died while idle: `wait` finds the pipe closed.
             worker.pipe.send(task)
         self._busy[worker.pipe] = worker, task
 
-    def wait(self) -> list[tuple[Task, Row | None]]:
+    def wait(self) -> list[Ended]:
         """Wait until a task ends; return those that did."""
         ready = set(connection.wait(list(self._busy)))
         return [self._ended(pipe) for pipe in list(self._busy) if pipe in ready]
@@ -70,15 +71,15 @@ class Processes:
         theirs.close()  # Only so does the pipe end when the process does.
         return _Worker(process, ours)
 
-    def _ended(self, pipe: Connection) -> tuple[Task, Row | None]:
+    def _ended(self, pipe: Connection) -> Ended:
         worker, task = self._busy.pop(pipe)
         try:
             row: Row | None = pipe.recv()
         except (EOFError, OSError):
             worker.stop()
-            return task, None
+            return Ended(task, None)
         self._idle.append(worker)
-        return task, row or bench_task.failed(task, "the file changed while it waited")
+        return Ended(task, row or bench_task.failed(task, "the file changed while it waited"))
 
 
 class _Worker:

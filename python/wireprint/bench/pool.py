@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, deque
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Protocol
 
 from wireprint.bench.task import failed
@@ -13,44 +14,61 @@ if TYPE_CHECKING:
     from wireprint.bench.plan import Task
     from wireprint.bench.task import Row
 
-#: A model whose worker is lost this often is taken for the cause.
+#: A model whose worker is lost this often while it has nothing else to do is taken for the cause.
 MOST_LOSSES: Final = 2
 
 
+@dataclass(frozen=True)
+class Ended:
+    """A task that a worker is done with, one way or another."""
+
+    task: Task
+    #: None where the worker is lost.
+    row: Row | None
+    #: Whether the worker had nothing else to do: only then may its loss be the task's doing.
+    alone: bool = True
+
+
 class Pool(Protocol):
-    """Workers that evaluate one task at a time each."""
+    """Workers that evaluate tasks, some of them several at a time."""
 
-    def has_room(self) -> bool:
-        """Tell whether a worker is idle."""
+    def has_room(self, *, alone: bool) -> bool:
+        """Tell whether a worker is idle: one that would have nothing else to do if `alone`."""
 
-    def start(self, task: Task) -> None:
-        """Give a task to an idle worker."""
+    def start(self, task: Task, *, alone: bool) -> None:
+        """Give a task to an idle worker; `alone`: the worker gets nothing else meanwhile."""
 
-    def wait(self) -> list[tuple[Task, Row | None]]:
-        """Wait a little; return the tasks that ended, without a row if their worker is lost."""
+    def wait(self) -> list[Ended]:
+        """Wait a little; return the tasks that ended."""
 
 
 def rows(tasks: Iterable[Task], pool: Pool) -> Iterator[tuple[Task, Row]]:
     """Evaluate tasks and yield each one's row as soon as it is there.
 
-    A task whose worker is lost is tried again after all others, so that a model that kills its
-    workers cannot keep the others from being evaluated.
+    A task whose worker is lost is tried again after all others, on a worker of its own, so that a
+    model that kills its workers cannot keep the others from being evaluated, and no model is blamed
+    for what another one did.
     """
     # The largest begin first: the last to end should not have begun last.
     waiting = deque(sorted(tasks, key=lambda task: (-task.size_bytes, task.index)))
+    suspects: deque[Task] = deque()
     losses: Counter[int] = Counter()
     running = 0
-    while waiting or running:
-        while waiting and pool.has_room():
-            pool.start(waiting.popleft())
+    while waiting or suspects or running:
+        while waiting and pool.has_room(alone=False):
+            pool.start(waiting.popleft(), alone=False)
             running += 1
-        for task, row in pool.wait():
+        while not waiting and suspects and pool.has_room(alone=True):
+            pool.start(suspects.popleft(), alone=True)
+            running += 1
+        for ended in pool.wait():
             running -= 1
-            if row is not None:
-                yield task, row
+            task = ended.task
+            if ended.row is not None:
+                yield task, ended.row
                 continue
-            losses[task.index] += 1
+            losses[task.index] += ended.alone
             if losses[task.index] < MOST_LOSSES:
-                waiting.append(task)
+                suspects.append(task)
             else:
                 yield task, failed(task, f"its worker was lost {MOST_LOSSES} times")
