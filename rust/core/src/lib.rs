@@ -20,6 +20,7 @@ pub mod poses;
 pub mod render;
 pub mod slices;
 pub mod strand;
+pub mod stroke;
 pub mod threemf;
 pub mod toolpath;
 pub mod wireframe;

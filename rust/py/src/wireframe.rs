@@ -9,6 +9,7 @@ use wireprint_core::contours::Contour;
 use wireprint_core::head::Head;
 use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::strand::Kind;
+use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe as core;
 use wireprint_core::wireframe::frame::Reason;
 use wireprint_core::wireframe::params::{Pattern, WireParams};
@@ -139,7 +140,7 @@ pub fn wireframe(
     let build = || {
         let sliced = core::plan::sliced::slice_model(mesh.core(), &head, &heights)?;
         layered.fits(&sliced)?;
-        sliced.claim_strands(&head)?;
+        sliced.claim_strands(&Strokes::new(&head, wire.strand))?;
         Ok(core::build::build(sliced, &layered, &head, &wire))
     };
     let core = detached(py, || in_pool(build))?;

@@ -13,6 +13,7 @@ use super::profile::Profile;
 use super::{Loop, Plane, Side, cut::cut_map};
 use crate::head::Head;
 use crate::mesh::Mesh;
+use crate::stroke::Strokes;
 
 /// What the choice of heights depends on; lengths in mm.
 #[derive(Debug, Clone, Copy)]
@@ -75,6 +76,8 @@ const LOWEST: f64 = 0.2;
 #[must_use]
 pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Level> {
     let Some((bottom, top)) = extent(mesh) else { return Vec::new() };
+    let tallest = Strokes::new(head, params.strand).tallest(params.slab_max);
+    let params = &HeightParams { slab_max: tallest.max(params.slab_min), ..*params };
     let wanted = wanted_heights(mesh, bottom, top, params);
     let first = bottom + params.first_layer.min((top - bottom) * 0.5);
     let last = wanted.iter().map(|w| w.low).fold(first, f64::max);
@@ -221,7 +224,7 @@ fn slight_turn(a: DVec2, b: DVec2) -> Option<f64> {
 }
 
 struct Costs<'a> {
-    head: &'a Head,
+    strokes: Strokes,
     params: &'a HeightParams,
     profile: Profile,
     outlines: Vec<Outline>,
@@ -243,7 +246,7 @@ impl Costs<'_> {
     fn slab(&self, i: usize, j: usize) -> f64 {
         let (p, (from, to)) = (self.params, (self.heights[i], self.heights[j]));
         let height = to - from;
-        let spacing = self.head.clearance(height);
+        let spacing = self.strokes.run(height);
         let (lower, upper) = (&self.outlines[i], &self.outlines[j]);
         let length = 0.5 * (lower.length + upper.length);
         let stroke = height + (height * height + spacing * spacing).sqrt();
@@ -290,7 +293,8 @@ fn cheapest_chain(
         || Profile::new(mesh, bottom, top, STEP.max((top - bottom) / MOST_CANDIDATES)),
         || cut_map(mesh, &planes, |loops| Outline::new(&loops, params.strand)),
     );
-    let costs = Costs { head, params, profile, outlines, heights, wanted };
+    let strokes = Strokes::new(head, params.strand);
+    let costs = Costs { strokes, params, profile, outlines, heights, wanted };
     let count = heights.len();
     let below = |j: usize| costs.slabs_below(j);
     let slabs: Vec<Vec<(usize, f64)>> =

@@ -5,11 +5,9 @@ use glam::DVec3;
 
 use crate::clearance::Material;
 use crate::head::Head;
+use crate::stroke::Strokes;
 use crate::wireframe::regions::ahead::Ahead;
 use crate::wireframe::regions::layered::Line;
-
-/// The generator allows this part of the joint's squash, so that rounding cannot fail the proof.
-const SQUASH: f64 = 0.9;
 
 /// The strands of a slab, which alone can be higher than the tip, and the way along its layers.
 pub struct Obstacles<'a> {
@@ -50,7 +48,7 @@ impl<'a> Obstacles<'a> {
 
     /// How far a strand may reach into the head, mm.
     fn squash(&self) -> f64 {
-        0.5 * SQUASH * self.strand
+        Strokes::new(self.head, self.strand).squash()
     }
 
     /// Diameter of a strand, mm.

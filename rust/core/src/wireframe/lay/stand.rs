@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use crate::geometry::curve::Curve;
 use crate::strand::Kind;
+use crate::stroke::Strokes;
 use crate::wireframe::lay::bare_rims::print_bare_rims;
 use crate::wireframe::lay::begin::{going_on, start};
 use crate::wireframe::lay::context::Context;
@@ -79,6 +80,7 @@ fn input<'b>(
         walls: &top.walls,
         wall: job.curve,
         least: cx.head.clearance(top.z - lowest(carriers)),
+        run: Strokes::new(cx.head, cx.p.strand).run(top.z - lowest(carriers)),
         on_peaks: false,
         placement: cx.p.placement,
         strand: cx.p.strand,

@@ -2,6 +2,7 @@
 
 use crate::geometry::curve::Curve;
 use crate::strand::Kind;
+use crate::stroke::Strokes;
 use crate::wireframe::lay::begin::start;
 use crate::wireframe::lay::columns::needs;
 use crate::wireframe::lay::context::Context;
@@ -64,6 +65,7 @@ pub fn spokes(
         walls: &walls,
         wall: 0,
         least: even_spacing(curve.length(), spacing * cx.p.cap_spacing),
+        run: 0.0,
         on_peaks: false,
         placement: Placement::Optimal,
         strand: cx.p.strand,
@@ -139,7 +141,7 @@ pub fn is_loose(cx: &Context, top: &Top, curve: &Curve, standing: &Standing) -> 
 /// Contours with wider gaps between their posts are tied, mm.
 fn loose_gap(cx: &Context, top: &Top) -> f64 {
     let height = top.z - cx.sliced.levels[top.slab].z;
-    cx.p.free_end_limit.max(LOOSE * cx.head.clearance(height))
+    cx.p.free_end_limit.max(LOOSE * Strokes::new(cx.head, cx.p.strand).run(height))
 }
 
 /// Over which gaps a loose contour is tied: where the plain print does without, only beside

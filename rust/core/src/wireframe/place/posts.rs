@@ -11,6 +11,7 @@ use glam::DVec3;
 
 use crate::geometry::curve::{Curve, Station, simplify};
 use crate::head::Head;
+use crate::stroke::Strokes;
 use crate::wireframe::place::rim::{Footing, Rim};
 
 /// One upward stroke.
@@ -68,12 +69,17 @@ pub struct PostParams {
     pub chord_error: f64,
     /// Longest free chord.
     pub span_limit: f64,
+    /// What strokes are legal.
+    pub strokes: Strokes,
 }
 
 /// Weight of uneven spacing against chord errors.
 const EVEN: f64 = 0.6;
 /// Weight of footholds beside the peaks below.
 const ALIGN: f64 = 1.2;
+/// Weight of a post to which no diagonal leads: it costs a retraction, a hop and a brace. Doubled,
+/// chains rather leave corners out.
+const LONE: f64 = 12.0;
 /// A chain may leave gaps of up to this many ideal spacings before any gap is allowed.
 const WIDEST: f64 = 2.5;
 /// More than rounding adds up to along a contour, mm.
@@ -168,6 +174,13 @@ fn merge_close(places: &mut Vec<(f64, Option<DVec3>)>, reach: f64) {
     });
 }
 
+/// Whether a diagonal may fall from the peak of one post to the base of another.
+#[must_use]
+pub fn leads_down(strokes: &Strokes, from: &Post, to: &Post) -> bool {
+    let apart = from.peak.truncate().distance(to.base.truncate());
+    apart >= strokes.legal_run(from.peak.z - to.base.z) - ROUNDING
+}
+
 /// Whether the head can print down from the peak of `from` to the base of `to` and up again.
 #[must_use]
 pub fn reachable(head: &Head, from: &Post, to: &Post) -> bool {
@@ -176,6 +189,11 @@ pub fn reachable(head: &Head, from: &Post, to: &Post) -> bool {
 }
 
 /// The cheapest chain of posts around (or along) a contour, from the first candidate on.
+///
+/// Exact for the sum of its costs, with the first post given: no other chain of these candidates
+/// whose neighbours keep apart costs less. Not part of it: posts further along the contour that come
+/// close across a bend (`settle` moves or drops one of them), and what else stands nearby (the
+/// candidates are free of it when they are listed, and are tested again when they are printed).
 ///
 /// A chain of one post is returned where no second one fits, none where there is no candidate.
 #[must_use]
@@ -269,17 +287,16 @@ impl<'a> Chain<'a> {
             self.bound(first..end, s, align, &costs, &mut bounds);
             for i in (first..end).rev() {
                 let arc = s - self.s[i];
-                if arc > reaches[i] {
-                    break;
-                }
                 // The cheap parts of the cost and of the test come first: most pairs fail there.
                 if bounds[i] >= costs[j]
+                    || arc > reaches[i]
                     || arc < all[i].spacing.max(all[j].spacing)
                     || !reachable(self.head, &all[i].post, &all[j].post)
                 {
                     continue;
                 }
-                let cost = bounds[i] + self.over(arc) + self.stray(i, &all[j].station);
+                let cost =
+                    bounds[i] + self.over(arc) + self.lone(i, j) + self.stray(i, &all[j].station);
                 if cost < costs[j] {
                     (costs[j], before[j]) = (cost, i);
                 }
@@ -304,7 +321,8 @@ impl<'a> Chain<'a> {
         if !self.curve.is_closed() {
             return Some((rest / self.p.ideal).powi(2));
         }
-        let free = reachable(self.head, &home.post, &last.post) && rest >= last.spacing;
+        let apart = rest >= last.spacing.max(home.spacing);
+        let free = apart && reachable(self.head, &home.post, &last.post);
         let cost = || uneven(rest, self.ideals[j]) + self.over(rest) + self.stray(j, &self.end);
         (free && rest <= widest).then(cost)
     }
@@ -325,6 +343,12 @@ impl<'a> Chain<'a> {
             return 0.0;
         }
         ((arc - self.p.span_limit) / self.p.ideal).powi(2)
+    }
+
+    /// Cost of a post to which no diagonal leads.
+    fn lone(&self, i: usize, j: usize) -> f64 {
+        let (from, to) = (&self.all[i].post, &self.all[j].post);
+        if leads_down(&self.p.strokes, from, to) { 0.0 } else { LONE }
     }
 
     /// Cost of the chord from candidate `i` for straying from the contour.

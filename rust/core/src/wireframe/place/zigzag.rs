@@ -4,9 +4,11 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::curve::Curve;
 use crate::head::Head;
+use crate::stroke::Strokes;
 use crate::wireframe::place::guide::{Kept, merged};
 use crate::wireframe::place::posts::{
-    Candidate, Post, PostParams, candidates, even_spacing, place, place_by_averaging, reachable,
+    Candidate, Post, PostParams, candidates, even_spacing, leads_down, place, place_by_averaging,
+    reachable,
 };
 use crate::wireframe::place::rim::{Footing, Rim};
 use crate::wireframe::place::through::place_through;
@@ -48,6 +50,8 @@ pub struct ZigzagInput<'a> {
     pub wall: usize,
     /// Least spacing of posts.
     pub least: f64,
+    /// Spacing to aim at, where that is more.
+    pub run: f64,
     /// Only rim vertices carry posts (the pattern without contours).
     pub on_peaks: bool,
     /// Rule of placement.
@@ -62,6 +66,8 @@ pub struct ZigzagInput<'a> {
 
 /// Posts keep this much more than the head's bare clearance, for rounding in the written file.
 const SLACK: f64 = 1.01;
+/// Posts aim at a little more than their least spacing, so that each finds a place.
+const SPARE: f64 = 1.03;
 /// Where two walls must share the room, posts stand this much further apart than the least, so
 /// that each wall finds gaps in the other's.
 const ROOM: f64 = 1.12;
@@ -79,7 +85,7 @@ pub fn zigzag(
     is_free: impl Fn(&Post) -> bool,
 ) -> (f64, Vec<Step>) {
     let least = input.least * SLACK;
-    let ideal = even_spacing(input.curve.length(), least * 1.03);
+    let ideal = even_spacing(input.curve.length(), least.max(input.run * SLACK) * SPARE);
     if input.placement == Placement::Paper {
         let (curve, z, start) = (input.curve, input.z, input.start);
         let posts = place_by_averaging(curve, z, start, input.rims, head, ideal);
@@ -132,8 +138,13 @@ fn chain(
     ideal: f64,
     crowd: f64,
 ) -> Vec<Step> {
-    let params =
-        PostParams { ideal, chord_error: 0.5 * input.strand, span_limit: input.span_limit };
+    let strokes = Strokes::new(head, input.strand);
+    let params = PostParams {
+        ideal,
+        chord_error: 0.5 * input.strand,
+        span_limit: input.span_limit,
+        strokes,
+    };
     let through = place_through(input.curve, start, all, head, &params);
     let posts = through.unwrap_or_else(|| place(input.curve, start, all, head, &params));
     let settled = match crowd < 1.0 {
@@ -149,7 +160,7 @@ fn chain(
     for post in settled {
         let linked = roomy(&post)
             && steps.last().is_some_and(|last| roomy(&last.post))
-            && steps.last().is_some_and(|last: &Step| reachable(head, &last.post, &post));
+            && steps.last().is_some_and(|last: &Step| leads_down(&strokes, &last.post, &post));
         steps.push(Step { post, linked });
     }
     steps

@@ -11,6 +11,7 @@ use crate::memory;
 use crate::mesh::Mesh;
 use crate::slices::heights::{HeightParams, Level, choose_levels};
 use crate::slices::{Plane, Side};
+use crate::stroke::Strokes;
 use crate::wireframe::plan::strips::{Slab, Strip, all_ledges, all_strips};
 
 /// A model cut into slabs.
@@ -103,10 +104,10 @@ impl Sliced {
     ///
     /// # Errors
     /// [`CoreError::Memory`].
-    pub fn claim_strands(&self, head: &Head) -> Result<()> {
+    pub fn claim_strands(&self, strokes: &Strokes) -> Result<()> {
         let slabs = self.levels.windows(2).zip(&self.lower[1..]);
         let strands = slabs.map(|(levels, contours)| {
-            let run = head.clearance(levels[1].z - levels[0].z);
+            let run = strokes.run(levels[1].z - levels[0].z);
             let length = |c: &Contour| polygon::length(&c.points, c.closed);
             // A post, a diagonal and a chord of the contour for each run.
             contours.iter().map(|c| 1.0 + 3.0 * length(c) / run).sum::<f64>()

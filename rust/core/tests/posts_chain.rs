@@ -1,0 +1,152 @@
+//! The chain of posts against a plain search over all pairs of candidates.
+
+use glam::{DVec2, DVec3};
+use proptest::prelude::*;
+use wireprint_core::geometry::curve::Curve;
+use wireprint_core::head::Head;
+use wireprint_core::stroke::Strokes;
+use wireprint_core::wireframe::place::posts::{
+    Candidate, Post, PostParams, leads_down, place, reachable,
+};
+
+/// The weights, said once more: a change of one is a change of what posts are for.
+const EVEN: f64 = 0.6;
+const ALIGN: f64 = 1.2;
+const LONE: f64 = 12.0;
+
+fn head() -> Head {
+    Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 40.0).unwrap()
+}
+
+/// A contour of many corners, closed or open.
+fn contour(radii: &[f64], closed: bool) -> Curve {
+    let turn = std::f64::consts::TAU / radii.len() as f64;
+    let points: Vec<DVec2> =
+        radii.iter().enumerate().map(|(i, r)| *r * DVec2::from_angle(turn * i as f64)).collect();
+    Curve::new(&points, closed).unwrap()
+}
+
+/// Candidates at some places, some of them crowded by walls nearby.
+fn candidates(curve: &Curve, places: &[(f64, f64, f64)], height: f64) -> Vec<Candidate> {
+    let mut all: Vec<Candidate> = places
+        .iter()
+        .map(|&(share, offset, spacing)| {
+            let s = share * curve.length();
+            let station = curve.station(0.0, s);
+            let peak = station.position().extend(height);
+            let base = peak.with_z(0.0) + DVec3::X * offset;
+            let post = Post { base, peak, s };
+            Candidate { post, station, offset, spacing, room: f64::INFINITY, kept: None }
+        })
+        .collect();
+    all.sort_by(|a, b| a.post.s.total_cmp(&b.post.s));
+    all
+}
+
+/// What a chain costs, straight from its definition; None where it is not allowed.
+fn cost(curve: &Curve, chain: &[&Candidate], p: &PostParams, widest: f64) -> Option<f64> {
+    let even = |arc: f64, c: &Candidate| EVEN * (arc / p.ideal.max(c.spacing) - 1.0).powi(2);
+    let over = |arc: f64| ((arc - p.span_limit).max(0.0) / p.ideal).powi(2);
+    let unit = p.ideal * p.chord_error * p.chord_error;
+    let mut sum = 0.0;
+    for pair in chain.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        let arc = b.post.s - a.post.s;
+        if arc > widest.max(1.5 * a.spacing)
+            || arc < a.spacing.max(b.spacing)
+            || !reachable(&head(), &a.post, &b.post)
+        {
+            return None;
+        }
+        sum += even(arc, a) + over(arc) + a.station.chord_error(&b.station) / unit;
+        sum += ALIGN * (b.offset / p.ideal).powi(2);
+        sum += if leads_down(&p.strokes, &a.post, &b.post) { 0.0 } else { LONE };
+    }
+    let (first, last) = (chain[0], chain[chain.len() - 1]);
+    let rest = curve.length() - last.post.s;
+    if !curve.is_closed() {
+        return Some(sum + (rest / p.ideal).powi(2));
+    }
+    let apart = last.spacing.max(first.spacing);
+    if rest > widest || rest < apart || !reachable(&head(), &first.post, &last.post) {
+        return None;
+    }
+    let end = curve.station(0.0, curve.length());
+    Some(sum + even(rest, last) + over(rest) + last.station.chord_error(&end) / unit)
+}
+
+/// The cheapest chain of at least two posts from the first candidate on, by trying all of them.
+fn cheapest(curve: &Curve, all: &[Candidate], p: &PostParams, widest: f64) -> Option<f64> {
+    let later = all.len() - 1;
+    (1_u32..1 << later)
+        .filter_map(|chosen| {
+            let picked = (0..later).filter(|i| chosen >> i & 1 == 1).map(|i| &all[i + 1]);
+            let chain: Vec<&Candidate> = std::iter::once(&all[0]).chain(picked).collect();
+            cost(curve, &chain, p, widest)
+        })
+        .min_by(f64::total_cmp)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn the_chain_is_the_cheapest_of_all(
+        radii in prop::collection::vec(8.0..20.0_f64, 5..12),
+        closed in any::<bool>(),
+        height in 1.5..5.0_f64,
+        tip in prop::sample::select(vec![0.35, 0.5, 0.7]),
+        home in prop::sample::select(vec![0.0, 0.0, 12.0]),
+        places in prop::collection::vec(
+            (0.02..0.99_f64, 0.0..3.0_f64, prop::sample::select(vec![0.0, 0.0, 8.0, 15.0, 30.0])),
+            1..10,
+        ),
+    ) {
+        let curve = contour(&radii, closed);
+        let mut places = places;
+        places.push((0.0, 0.0, home));
+        let all = candidates(&curve, &places, height);
+        let strand = 0.7;
+        let flat = Head { tip_radius: tip, ..head() };
+        let strokes = Strokes::new(&flat, strand);
+        let ideal = head().clearance(height) * 1.04;
+        let p = PostParams { ideal, chord_error: 0.5 * strand, span_limit: 65.0, strokes };
+        let found = place(&curve, 0.0, &all, &head(), &p);
+        let widest = 2.5 * ideal;
+        let best = cheapest(&curve, &all, &p, widest)
+            .map(|best| (best, widest))
+            .or_else(|| cheapest(&curve, &all, &p, f64::INFINITY).map(|best| (best, f64::INFINITY)));
+        let Some((best, widest)) = best else {
+            prop_assert_eq!(found.len(), 1);
+            return Ok(());
+        };
+        let chain: Vec<&Candidate> = found
+            .iter()
+            .map(|post| all.iter().find(|c| c.post == *post).unwrap())
+            .collect();
+        let own = cost(&curve, &chain, &p, widest).expect("the chain keeps its own rules");
+        prop_assert!(own <= best * (1.0 + 1e-9) + 1e-9, "{own} where {best} is to be had");
+    }
+}
+
+#[test]
+fn posts_stand_over_the_peaks_below_where_that_costs_little() {
+    let curve = contour(&[20.0; 60], true);
+    let ideal = head().clearance(3.0) * 1.04;
+    // Places over peaks a little off the even ones, beside even places without a peak.
+    let count = (curve.length() / ideal) as usize;
+    let mut places: Vec<(f64, f64, f64)> = vec![(0.0, 0.0, 0.0)];
+    for i in 1..count {
+        let even = i as f64 / count as f64;
+        places.push((even, 0.5 * ideal, 0.0));
+        places.push((even + 0.1 / count as f64, 0.0, 0.0));
+    }
+    let all = candidates(&curve, &places, 3.0);
+    let strokes = Strokes::new(&head(), 0.7);
+    let p = PostParams { ideal, chord_error: 0.35, span_limit: 65.0, strokes };
+    let found = place(&curve, 0.0, &all, &head(), &p);
+    assert!(found.len() >= count - 1);
+    let aligned =
+        found.iter().filter(|post| all.iter().any(|c| c.post == **post && c.offset == 0.0)).count();
+    assert!(aligned >= found.len() - 1, "{aligned} of {} stand on peaks", found.len());
+}
