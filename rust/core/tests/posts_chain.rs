@@ -1,5 +1,7 @@
 //! The chain of posts against a plain search over all pairs of candidates.
 
+#![allow(clippy::unwrap_used)]
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use wireprint_core::geometry::curve::Curve;
