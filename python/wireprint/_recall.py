@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 #: The cache holds at most this many outcomes; a new one replaces the one in its place.
 PLACES = 64
 #: What the outcome depends on besides the settings' own text.
-_CODE = tuple(Path(__file__).with_name(name) for name in ("settings.py", "_compose.py"))
+_CODE = tuple(
+    Path(__file__).with_name(name) for name in ("settings.py", "_compose.py", "cooling.py")
+)
 
 
 def settings(
