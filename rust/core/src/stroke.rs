@@ -51,8 +51,9 @@ impl Strokes {
         self.legal_run(height).max(self.paper_run(height))
     }
 
-    /// The paper's own proportions.
-    fn paper_run(&self, height: f64) -> f64 {
+    /// The horizontal way that the paper's zigzag of `height` mm takes, mm.
+    #[must_use]
+    pub fn paper_run(&self, height: f64) -> f64 {
         PAPER_TIP * self.strand + height.max(0.0) / PAPER_SLOPE_DEG.to_radians().tan()
     }
 

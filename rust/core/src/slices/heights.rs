@@ -252,8 +252,14 @@ impl Costs<'_> {
         let stroke = height + (height * height + spacing * spacing).sqrt();
         let time = length / spacing * (p.pause + stroke / p.speed) + length / p.speed;
         let turning = 0.5 * (lower.turning + upper.turning);
-        // A chord of length s on curvature κ strays by κ·s²/12 in the mean.
-        let sag = if length > 0.0 { spacing * spacing * turning / (12.0 * length) } else { 0.0 };
+        // A chord of length s on curvature κ strays by κ·s²/12 in the mean. Half of what a head asks for
+        // beyond the paper's run is not held against the slab: lower slabs would cost more time than
+        // they gain in fidelity.
+        let sag = if length > 0.0 {
+            spacing * self.strokes.paper_run(height) * turning / (12.0 * length)
+        } else {
+            0.0
+        };
         let low =
             if height < p.slab_min - 1e-9 { LOW_FINE * (1.0 - height / p.slab_min) } else { 0.0 };
         let even = 1e-3 * height * height;
