@@ -12,10 +12,11 @@ use std::hint::black_box;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DMat3, DVec3};
 use solids::{moved, sphere};
+use wireprint_core::formats::{Facets, Format, load, read_stl};
+use wireprint_core::mesh::Mesh;
 use wireprint_core::mesh::place::{Placement, Up};
 use wireprint_core::mesh::repair::{Limits, repair};
 use wireprint_core::mesh::topology::Adjacency;
-use wireprint_core::mesh::{Mesh, stl};
 
 const LIMITS: Limits = Limits { hole_perimeter: 0.1, weld_distance: 1e-5 };
 const AS_IS: Placement = Placement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
@@ -37,10 +38,10 @@ fn loading(c: &mut Criterion) {
     let ball = moved(&sphere(573), DMat3::from_diagonal(DVec3::splat(39.0)), DVec3::ZERO);
     let path = std::env::temp_dir().join(format!("wireprint-bench-{}.stl", std::process::id()));
     fs::write(&path, binary(&ball)).unwrap();
-    let (vertices, faces) = stl::read(&path).unwrap();
+    let Facets { vertices, faces, .. } = read_stl(&path).unwrap();
     let mut group = c.benchmark_group("mesh");
     group.sample_size(20).throughput(Throughput::Elements(faces.len() as u64));
-    group.bench_function("read and weld 1.3M triangles", |b| b.iter(|| stl::read(&path)));
+    group.bench_function("read and weld 1.3M triangles", |b| b.iter(|| read_stl(&path)));
     group.bench_function("connect 1.3M triangles", |b| {
         b.iter(|| Adjacency::new(black_box(&faces), vertices.len()));
     });
@@ -49,7 +50,7 @@ fn loading(c: &mut Criterion) {
         b.iter_batched(input, |(v, f)| repair(v, f, LIMITS), BatchSize::LargeInput);
     });
     group.bench_function("load 1.3M triangles", |b| {
-        b.iter(|| Mesh::load_stl(&path, LIMITS, &AS_IS));
+        b.iter(|| load(&path, Format::Stl, LIMITS, &AS_IS));
     });
     group.finish();
     fs::remove_file(&path).unwrap();

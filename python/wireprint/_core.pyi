@@ -10,6 +10,7 @@ import numpy.typing as npt
 from wireprint.limits import MotionTable
 
 __all__ = [
+    "FORMATS",
     "HOLE_PERIMETER",
     "MOST_DIGITS",
     "MOST_TRIANGLES",
@@ -60,6 +61,7 @@ class GcodeError(WireprintError): ...
 class MemoryLimitError(WireprintError): ...
 class FaultError(WireprintError): ...
 
+FORMATS: tuple[str, ...]
 HOLE_PERIMETER: float
 MOST_DIGITS: int
 MOST_TRIANGLES: int
@@ -69,8 +71,9 @@ WELD_DISTANCE: float
 @final
 class Mesh:
     @staticmethod
-    def load_stl(
+    def load(
         path: str | os.PathLike[str],
+        suffix: str,
         *,
         scale: float = 1.0,
         up: str = "z",
@@ -90,12 +93,15 @@ class Mesh:
         height_mm: float | None = None,
         hole_perimeter: float = ...,
         weld_distance: float = ...,
+        notes: Sequence[str] = ...,
     ) -> Mesh: ...
     @staticmethod
     def restored(
         vertices: npt.NDArray[np.float64],
         faces: npt.NDArray[np.int64 | np.int32 | np.uint32],
         paired: Sequence[Sequence[int]] = ...,
+        *,
+        notes: Sequence[str] = ...,
     ) -> Mesh: ...
     @property
     def vertices(self) -> npt.NDArray[np.float64]: ...
@@ -118,6 +124,8 @@ class Mesh:
     def volume(self) -> float: ...
     @property
     def area(self) -> float: ...
+    @property
+    def notes(self) -> list[str]: ...
     @property
     def report(self) -> dict[str, int]: ...
 

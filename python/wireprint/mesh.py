@@ -4,13 +4,25 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from wireprint._core import HOLE_PERIMETER, WELD_DISTANCE, Mesh, ModelError, SettingError
+from wireprint._core import (
+    FORMATS,
+    HOLE_PERIMETER,
+    WELD_DISTANCE,
+    Mesh,
+    ModelError,
+    SettingError,
+)
 
 if TYPE_CHECKING:
     import os
 
+    from wireprint.file3mf import File3mf
+
 #: Millimetres per unit.
 UNITS_MM: Final = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
+
+#: Suffixes of the files that `load_mesh` reads.
+SUFFIXES: Final = (*FORMATS, "3mf")
 
 
 def load_mesh(
@@ -64,33 +76,46 @@ def load_mesh(
     """
     if units not in UNITS_MM:
         raise SettingError(f"units is {units!r}; it must be one of {', '.join(UNITS_MM)}")
-    suffix, unit_mm = str(path).rpartition(".")[2].lower(), UNITS_MM[units]
-    rest: dict[str, Any] = {
+    suffix = str(path).rpartition(".")[2].lower()
+    placement: dict[str, Any] = {
+        "scale": scale,
         "up": up,
         "rotate": rotate,
         "height_mm": height_mm,
         "hole_perimeter": hole_perimeter,
         "weld_distance": weld_distance,
     }
-    if suffix == "stl":
-        return Mesh.load_stl(path, scale=scale * unit_mm, **rest)
-    from pathlib import Path
-
-    from wireprint import _formats
-
     if suffix == "3mf":
-        from wireprint.model import File3mf
+        from pathlib import Path
 
-        return File3mf(Path(path)).mesh(scale=scale, units=units, **rest)
-    if suffix not in _formats.FORMATS:
-        known = ", ".join(name.upper() for name in ("stl", *_formats.FORMATS, "3mf"))
+        from wireprint.file3mf import File3mf
+
+        return placed(File3mf(Path(path)), units=units, **placement)
+    if suffix not in FORMATS:
+        known = ", ".join(name.upper() for name in SUFFIXES)
         raise ModelError(f"{path}: the format is not supported; convert it to one of {known}")
-    vertices, faces = _formats.read_facets(Path(path), suffix)
-    try:
-        return Mesh.from_arrays(vertices, faces, scale=scale * unit_mm, **rest)
-    except ModelError as error:
-        raise ModelError(f"{path}: {error}") from error
+    return Mesh.load(path, suffix, **placement | {"scale": scale * UNITS_MM[units]})
 
 
 #: How `load_mesh` places a model unless it is told otherwise.
 AS_IT_IS: Final[dict[str, Any]] = dict(load_mesh.__kwdefaults__ or {})
+
+
+def placed(file: File3mf, **placement: Any) -> Mesh:
+    """Place the mesh of a 3MF file as `load_mesh` does.
+
+    A project's mesh stays as it was saved, unless it is to be placed otherwise, or another program
+    changed it.
+
+    Raises
+    ------
+    ModelError, SettingError
+        See `load_mesh`.
+    """
+    options = AS_IT_IS | placement
+    as_it_is = options == AS_IT_IS
+    if options.pop("units") != AS_IT_IS["units"]:
+        raise SettingError(
+            f"{file.path}: a 3MF file states its own unit; use scale instead of units"
+        )
+    return file.mesh(as_it_is=as_it_is, **options)

@@ -130,8 +130,8 @@ def repairs(mesh: Mesh) -> list[str]:
 
 
 def warnings(mesh: Mesh) -> list[str]:
-    """Sentences about faults of a mesh that stay."""
-    return _sentences(mesh.report, _WARNINGS)
+    """Sentences about how a mesh was read, and about its faults that stay."""
+    return [*mesh.notes, *_sentences(mesh.report, _WARNINGS)]
 
 
 def slowed(settings: Settings) -> list[str]:

@@ -10,13 +10,13 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from wireprint._core import ModelError, SettingError, WireprintError, __version__
+from wireprint._core import FORMATS, ModelError, SettingError, WireprintError, __version__
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 #: What a folder is searched for.
-SUFFIXES: Final = (".stl", ".obj", ".ply", ".off", ".3mf")
+SUFFIXES: Final = tuple(f".{name}" for name in (*FORMATS, "3mf"))
 AXES: Final = ("x", "y", "z")
 
 

@@ -88,7 +88,7 @@ def bench(
 
 def _own_settings(chosen: Chosen, path: Path) -> dict[str, Any] | None:
     """Return a project's settings with what was chosen laid over; None for other models."""
-    from wireprint.model import project_settings
+    from wireprint.file3mf import project_settings
 
     found = project_settings(path)
     return None if found is None else chosen.over(found).model_dump(mode="json")

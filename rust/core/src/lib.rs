@@ -10,6 +10,7 @@ pub mod clearance;
 pub mod contours;
 pub mod error;
 pub mod fidelity;
+pub mod formats;
 pub mod gcode;
 pub mod geometry;
 pub mod head;

@@ -8,7 +8,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use proptest::prelude::*;
-use wireprint_core::mesh::{Mesh, stl};
+use wireprint_core::formats::{Facets, read_stl};
+use wireprint_core::mesh::Mesh;
 
 use solids::{sphere, torus};
 
@@ -23,7 +24,7 @@ impl Scratch {
     }
 
     fn refusal(&self) -> String {
-        stl::read(&self.0).unwrap_err().to_string()
+        read_stl(&self.0).unwrap_err().to_string()
     }
 }
 
@@ -77,8 +78,12 @@ fn expected(mesh: &Mesh) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     (vertices, faces)
 }
 
+fn notes(scratch: &Scratch) -> Vec<String> {
+    read_stl(&scratch.0).unwrap().notes
+}
+
 fn read(scratch: &Scratch) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
-    let (vertices, faces) = stl::read(&scratch.0).unwrap();
+    let Facets { vertices, faces, .. } = read_stl(&scratch.0).unwrap();
     (vertices.into_iter().map(|v| v.to_array()).collect(), faces)
 }
 
@@ -134,6 +139,70 @@ fn a_truncated_or_overlong_binary_file_is_refused() {
 }
 
 #[test]
+fn what_cannot_be_a_facet_may_follow_the_last_one() {
+    let mesh = sphere(8);
+    for tail in [1, 49] {
+        let bytes = [binary(&mesh, ""), vec![7; tail]].concat();
+        let file = Scratch::new(&format!("tail{tail}.stl"), &bytes);
+        assert_eq!(read(&file), expected(&mesh));
+        assert_eq!(notes(&file), [format!("bytes after the last facet passed over: {tail}")]);
+    }
+}
+
+#[test]
+fn a_count_that_was_never_written_is_taken_from_the_length() {
+    let mesh = sphere(8);
+    let mut bytes = binary(&mesh, "");
+    bytes[80..84].fill(0);
+    let file = Scratch::new("count0.stl", &bytes);
+    assert_eq!(read(&file), expected(&mesh));
+    let note =
+        format!("the count at byte 80 is 0, taken from the file's length: {}", mesh.faces.len());
+    assert_eq!(notes(&file), [note]);
+}
+
+/// What programs write besides: what is replaced in a good file, by what, and the note of it.
+#[test]
+fn what_other_programs_write_is_read_and_noted() {
+    let mesh = torus(30.0, 10.0, 160, 64);
+    let facets = mesh.faces.len();
+    let good = ascii(&mesh);
+    let close = "    endloop\n  endfacet\r\n";
+    for (old, new, note) in [
+        (
+            "normal 0 nan -0",
+            "normal -1.#IND 1.#QNAN -nan(ind)",
+            format!(
+                "normals that are no numbers passed over: {} times, first in line 2",
+                3 * facets
+            ),
+        ),
+        (
+            "endloop\n",
+            "endloop 1\n",
+            format!("text after endloop or endfacet passed over: {facets} times, first in line 7"),
+        ),
+        (
+            "endfacet\r\n",
+            "endfacet of 12 facets\r\n",
+            format!("text after endloop or endfacet passed over: {facets} times, first in line 8"),
+        ),
+        ("endsolid\n", "", format!("a solid ends without endsolid (line {})", 7 * facets + 2)),
+        ("endsolid\n", "endsolid\n\x1a", format!("a ^Z ends the text (line {})", 7 * facets + 3)),
+        ("solid a name with", "\u{FEFF}solid a name with", String::new()),
+        (close, " endloop endfacet ", String::new()),
+    ] {
+        let file = Scratch::new("other.stl", good.replace(old, new).as_bytes());
+        assert_eq!(read(&file), expected(&mesh), "{new:?}");
+        assert_eq!(notes(&file).concat(), note);
+    }
+    let twice = format!("{}{}", good.replace("endsolid\n", ""), ascii(&sphere(8)));
+    let file = Scratch::new("twice.stl", twice.as_bytes());
+    assert_eq!(read(&file).1.len(), facets + sphere(8).faces.len());
+    assert_eq!(notes(&file), [format!("a solid ends without endsolid (line {})", 7 * facets + 2)]);
+}
+
+#[test]
 fn a_coordinate_that_is_not_finite_is_named_with_its_facet_and_byte() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
         let mut bytes = binary(&sphere(8), "");
@@ -161,14 +230,14 @@ fn empty_files_are_refused_as_such() {
     assert!(Scratch::new("none.stl", &[0; 84]).refusal().contains("no facets"));
     assert!(Scratch::new("nothing.stl", b"solid x\nendsolid x\n").refusal().contains("no facets"));
     assert!(Scratch::new("brief.stl", &[0; 40]).refusal().contains("too short"));
-    assert!(stl::read(&std::env::temp_dir()).is_err());
-    assert!(stl::read(&std::env::temp_dir().join("wireprint-missing.stl")).is_err());
+    assert!(read_stl(&std::env::temp_dir()).is_err());
+    assert!(read_stl(&std::env::temp_dir().join("wireprint-missing.stl")).is_err());
 }
 
 #[test]
 fn an_ascii_file_is_read_strictly_and_complaints_name_the_line() {
     let good = ascii(&sphere(4));
-    assert!(stl::read(&Scratch::new("good.stl", good.as_bytes()).0).is_ok());
+    assert!(read_stl(&Scratch::new("good.stl", good.as_bytes()).0).is_ok());
     let lines: Vec<&str> = good.lines().collect();
     let with_line_4 = |line: &str| {
         let mut changed = lines.clone();
@@ -186,8 +255,16 @@ fn an_ascii_file_is_read_strictly_and_complaints_name_the_line() {
         let text = Scratch::new("strict.stl", with_line_4(line).as_bytes()).refusal();
         assert!(text.contains(complaint), "{line:?} gave {text}");
     }
-    let cut = Scratch::new("cut.stl", good.replace("endsolid\n", "").as_bytes()).refusal();
-    assert!(cut.contains("expected endsolid"), "{cut}");
+    let cut = &good[..good.len() - 40];
+    let refusal = Scratch::new("cut.stl", cut.as_bytes()).refusal();
+    assert!(refusal.contains("found the end of the file"), "{refusal}");
+    let early = good.replacen("endsolid", "\u{1a} endsolid", 1).replacen(
+        "endfacet",
+        "endfacet \u{1a}\n\u{1a}",
+        1,
+    );
+    let refusal = Scratch::new("early.stl", early.as_bytes()).refusal();
+    assert!(refusal.contains("expected facet or endsolid"), "{refusal}");
     let html = Scratch::new("html.stl", b"<html>solid</html>").refusal();
     assert!(html.contains("line 1: expected solid"), "{html}");
 }
@@ -205,7 +282,7 @@ fn a_complaint_far_into_a_large_ascii_file_names_the_right_line() {
 proptest! {
     #[test]
     fn no_bytes_make_the_reader_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
-        let _ = stl::read(&Scratch::new("any.stl", &bytes).0);
+        let _ = read_stl(&Scratch::new("any.stl", &bytes).0);
     }
 
     #[test]
@@ -218,6 +295,6 @@ proptest! {
             0..60,
         ),
     ) {
-        let _ = stl::read(&Scratch::new("words.stl", format!("solid\n{}", words.join(" ")).as_bytes()).0);
+        let _ = read_stl(&Scratch::new("words.stl", format!("solid\n{}", words.join(" ")).as_bytes()).0);
     }
 }

@@ -6,6 +6,7 @@ use glam::{DMat4, DVec3};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use wireprint_core::formats::{self, Format, Loaded};
 use wireprint_core::mesh;
 use wireprint_core::mesh::place::{Placement, Up};
 use wireprint_core::mesh::repair::{Limits, RepairReport};
@@ -21,11 +22,17 @@ pub const HOLE_PERIMETER: f64 = 0.1;
 /// of the rounding of the files' single-precision numbers.
 pub const WELD_DISTANCE: f64 = 1e-5;
 
+/// Suffixes of the files that `Mesh.load` reads.
+pub fn formats() -> Vec<&'static str> {
+    Format::ALL.into_iter().map(Format::suffix).collect()
+}
+
 /// A repaired triangle mesh that stands on the bed; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Mesh {
     core: mesh::Mesh,
     report: RepairReport,
+    notes: Vec<String>,
 }
 
 impl Mesh {
@@ -34,8 +41,13 @@ impl Mesh {
         &self.core
     }
 
-    fn new((core, report): (mesh::Mesh, RepairReport)) -> Self {
-        Self { core, report }
+    fn new((core, report): (mesh::Mesh, RepairReport), notes: Vec<String>) -> Self {
+        Self { core, report, notes }
+    }
+
+    /// The same model elsewhere.
+    fn moved(&self, core: mesh::Mesh) -> Self {
+        Self { core, report: self.report, notes: self.notes.clone() }
     }
 }
 
@@ -51,19 +63,20 @@ fn placement(scale: f64, up: &str, rotate: [f64; 3], height: Option<f64>) -> PyR
 
 #[pymethods]
 impl Mesh {
-    /// Reads an STL file.
+    /// Reads a model file of a format: the suffix that is usual for it.
     ///
     /// `scale` is in mm per unit of the file, `rotate` in degrees; `hole_perimeter` and
     /// `weld_distance` are shares of the model's diagonal.
     #[staticmethod]
     #[pyo3(signature = (
-        path, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None,
+        path, suffix, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None,
         hole_perimeter=HOLE_PERIMETER, weld_distance=WELD_DISTANCE,
     ))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python call")]
-    fn load_stl(
+    fn load(
         py: Python<'_>,
         path: PathBuf,
+        suffix: &str,
         scale: f64,
         up: &str,
         rotate: [f64; 3],
@@ -73,15 +86,19 @@ impl Mesh {
     ) -> PyResult<Self> {
         let placement = placement(scale, up, rotate, height_mm)?;
         let limits = Limits { hole_perimeter, weld_distance };
-        detached(py, || mesh::Mesh::load_stl(&path, limits, &placement)).map(Self::new)
+        let format = Format::of(suffix)
+            .ok_or_else(|| SettingError::new_err(format!("{suffix:?} is no format of models")))?;
+        let loaded = detached(py, || formats::load(&path, format, limits, &placement))?;
+        let Loaded { mesh, report, notes } = loaded;
+        Ok(Self::new((mesh, report), notes))
     }
 
     /// A mesh from vertices (N, 3), float64, and faces (M, 3), an integer dtype of indices;
-    /// repaired and placed as a file is.
+    /// repaired and placed as a file is. `notes` are what is to be said of how they were read.
     #[staticmethod]
     #[pyo3(signature = (
         vertices, faces, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None,
-        hole_perimeter=HOLE_PERIMETER, weld_distance=WELD_DISTANCE,
+        hole_perimeter=HOLE_PERIMETER, weld_distance=WELD_DISTANCE, notes=Vec::new(),
     ))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python call")]
     fn from_arrays(
@@ -94,13 +111,14 @@ impl Mesh {
         height_mm: Option<f64>,
         hole_perimeter: f64,
         weld_distance: f64,
+        notes: Vec<String>,
     ) -> PyResult<Self> {
         let (vertices, faces) =
             (arrays::read_points("vertices", vertices)?, arrays::read_faces(faces)?);
         let placement = placement(scale, up, rotate, height_mm)?;
         let limits = Limits { hole_perimeter, weld_distance };
         let build = || mesh::Mesh::from_facets(&vertices, &faces, limits, &placement);
-        detached(py, build).map(Self::new)
+        Ok(Self::new(detached(py, build)?, notes))
     }
 
     /// A mesh from the vertices and faces of one that was repaired and placed before, unchanged.
@@ -108,17 +126,19 @@ impl Mesh {
     /// Each of `paired` is a face, its edge (0–2) and the neighbour across it, where that is not
     /// the one found anew.
     #[staticmethod]
-    #[pyo3(signature = (vertices, faces, paired=Vec::new()))]
+    #[pyo3(signature = (vertices, faces, paired=Vec::new(), *, notes=Vec::new()))]
     fn restored(
         py: Python<'_>,
         vertices: &Bound<'_, PyAny>,
         faces: &Bound<'_, PyAny>,
         paired: Vec<[u32; 3]>,
+        notes: Vec<String>,
     ) -> PyResult<Self> {
         let (vertices, faces) =
             (arrays::read_points("vertices", vertices)?, arrays::read_faces(faces)?);
         let limits = Limits { hole_perimeter: HOLE_PERIMETER, weld_distance: WELD_DISTANCE };
-        detached(py, || mesh::Mesh::restored(vertices, faces, &paired, limits)).map(Self::new)
+        let restored = || mesh::Mesh::restored(vertices, faces, &paired, limits);
+        Ok(Self::new(detached(py, restored)?, notes))
     }
 
     /// Vertex positions, mm, read-only float64 of shape (N, 3).
@@ -169,8 +189,7 @@ impl Mesh {
 
     /// The mesh moved sideways so that its smallest circle, seen from above, is about x = y = 0.
     fn centred_in_circle(&self, py: Python<'_>) -> Self {
-        let core = py.detach(|| self.core.centred_in_circle());
-        Self { core, report: self.report }
+        self.moved(py.detach(|| self.core.centred_in_circle()))
     }
 
     /// Poses to print it in, the given one first: angles about x, then y, then z (degrees),
@@ -184,8 +203,7 @@ impl Mesh {
     /// The mesh turned about x, then y, then z (degrees) and set down again, centred.
     fn turned(&self, py: Python<'_>, rotate: [f64; 3]) -> PyResult<Self> {
         let placement = placement(1.0, "z", rotate, None)?;
-        let core = detached(py, || self.core.clone().placed(&placement))?;
-        Ok(Self { core, report: self.report })
+        Ok(self.moved(detached(py, || self.core.clone().placed(&placement))?))
     }
 
     /// Enclosed volume, mm³.
@@ -198,6 +216,12 @@ impl Mesh {
     #[getter]
     fn area(&self) -> f64 {
         self.core.area()
+    }
+
+    /// What was passed over or mended while the file was read, a sentence each.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.notes.clone()
     }
 
     /// What was found and repaired: a count for each name.

@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec2};
 use rayon::prelude::*;
 
-use super::Mesh;
+use super::indexed::Mesh;
 
 /// A circle may miss a point by this share of its radius, rounding's due.
 const SLACK: f64 = 1e-9;

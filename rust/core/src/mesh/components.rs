@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::NO_FACE;
 use super::holes::Rim;
 use super::surface::Surface;
+use super::topology::NO_FACE;
 use crate::geometry::disjoint_sets::UnionFind;
 
 /// Faces that one task measures.

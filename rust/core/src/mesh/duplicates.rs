@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use super::surface::Surface;
+use super::topology::NO_FACE;
 
 /// Drops repeated facets and returns how many.
 pub fn drop_duplicates(surface: &mut Surface) -> usize {
@@ -51,7 +52,7 @@ fn suspects(surface: &Surface) -> Vec<u32> {
     let mut faces: Vec<u32> = surface.fans.iter().flatten().map(|h| h / 3).collect();
     let bubble = |&f: &usize| {
         let [a, b, c] = surface.neighbours[f];
-        a == b && b == c && a != super::NO_FACE
+        a == b && b == c && a != NO_FACE
     };
     let bubbles = (0..surface.faces.len()).into_par_iter().filter(bubble).map(|f| f as u32);
     faces.par_extend(bubbles);
@@ -85,7 +86,7 @@ fn drop_twins(surface: &Surface, twin: &HashMap<u32, u32>, dropped: &mut [bool])
             for i in 0..3 {
                 let fan = around.get(&(3 * f + i)).copied().unwrap_or_default();
                 let across = surface.neighbours[f as usize][i as usize];
-                let one = (fan.is_empty() && across != super::NO_FACE).then_some(across);
+                let one = (fan.is_empty() && across != NO_FACE).then_some(across);
                 for g in fan.iter().map(|h| h / 3).chain(one).filter(|&g| !dropped[g as usize]) {
                     if !twin.contains_key(&g) {
                         closed = false;

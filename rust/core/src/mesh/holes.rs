@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use super::NO_FACE;
 use super::surface::Surface;
-use super::topology::ends;
+use super::topology::{NO_FACE, ends};
 
 /// Most corners of a hole that is triangulated at least area; the work grows with their cube.
 const MOST_CORNERS: usize = 100;

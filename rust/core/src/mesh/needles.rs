@@ -3,7 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::slivers;
+use super::flat;
 use super::surface::Surface;
 use super::topology::ends;
 
@@ -27,8 +27,9 @@ pub fn collapse(surface: &mut Surface, limit: f64) -> usize {
         for v in surface.faces.as_flattened_mut() {
             *v = map.get(v).copied().unwrap_or(*v);
         }
-        surface.faces.retain(|&[a, b, c]| a != b && b != c && c != a);
-        surface.connect();
+        let flat = |&[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
+        let dropped: Vec<bool> = surface.faces.iter().map(flat).collect();
+        surface.drop_faces(&dropped);
     }
     merged
 }
@@ -36,7 +37,7 @@ pub fn collapse(surface: &mut Surface, limit: f64) -> usize {
 /// Short edges of flat facets, lower vertex first, in the order of the facets.
 fn short_edges(surface: &Surface, limit: f64) -> Vec<(u32, u32)> {
     let mut edges = Vec::new();
-    for f in slivers::find(surface, limit) {
+    for f in flat::find(surface, limit) {
         for h in 3 * f as u32..3 * f as u32 + 3 {
             let (a, b) = ends(&surface.faces, h);
             let length = surface.vertices[a as usize].distance(surface.vertices[b as usize]);

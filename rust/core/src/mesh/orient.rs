@@ -6,23 +6,14 @@ use rayon::prelude::*;
 use super::components::Bodies;
 use super::holes::Rim;
 use super::surface::Surface;
-use super::{NO_FACE, topology};
-
-/// What making the orientation consistent did.
-#[derive(Debug, Default, Clone, Copy)]
-pub struct Oriented {
-    /// Facets that were reversed.
-    pub flipped: usize,
-    /// Bodies that have no two sides, like a Möbius strip.
-    pub one_sided: usize,
-}
+use super::topology::{self, NO_FACE};
 
 /// Makes neighbouring faces traverse their edge in opposite directions, as most of their body's
-/// faces have it.
-pub fn make_consistent(surface: &mut Surface) -> Oriented {
-    let mut result = Oriented::default();
+/// faces have it; returns the number of bodies that have no two sides, like a Möbius strip.
+pub fn make_consistent(surface: &mut Surface) -> usize {
+    let mut one_sided = 0;
     if surface.opposed == 0 {
-        return result;
+        return one_sided;
     }
     let mut reversed: Vec<Option<bool>> = vec![None; surface.faces.len()];
     let mut body = Vec::new();
@@ -31,19 +22,18 @@ pub fn make_consistent(surface: &mut Surface) -> Oriented {
             continue;
         }
         let conflict = spread(surface, start, &mut reversed, &mut body);
-        result.one_sided += usize::from(conflict);
+        one_sided += usize::from(conflict);
         let wrong = body.iter().filter(|&&f| reversed[f] == Some(true)).count();
         let minority = 2 * wrong <= body.len();
         for &f in body.iter().filter(|&&f| reversed[f] == Some(minority)) {
             surface.flip(f);
-            result.flipped += 1;
         }
     }
     if !surface.fans.is_empty() {
         // Wedges of solid are known only now.
         surface.connect();
     }
-    result
+    one_sided
 }
 
 /// Visits a body from `start`, noting in `reversed` which faces run against it; returns whether

@@ -3,7 +3,7 @@
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
-use super::Mesh;
+use super::indexed::Mesh;
 use crate::{CoreError, Result};
 
 /// Which axis of the file points up.

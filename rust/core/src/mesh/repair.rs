@@ -4,8 +4,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::components::{Bodies, Body};
+use super::indexed::Mesh;
 use super::surface::Surface;
-use super::{Mesh, duplicates, holes, orient, slivers, stitch};
+use super::{duplicates, holes, orient, slivers, stitch};
 use crate::{CoreError, Result};
 
 /// Share of open edges from which on the facets make no surface.
@@ -48,7 +49,7 @@ pub struct RepairReport {
     pub kept_degenerate: usize,
     /// Facets dropped because they occur more than once.
     pub dropped_duplicate: usize,
-    /// Facets reversed.
+    /// Facets that run against their direction in the file.
     pub flipped_facets: usize,
     /// Holes closed.
     pub closed_holes: usize,
@@ -124,9 +125,7 @@ pub fn repair(
     report.dropped_duplicate = duplicates::drop_duplicates(&mut surface);
     let distance = limits.weld_distance * surface.diagonal();
     report.welded_vertices = stitch::stitch(&mut surface, distance);
-    let oriented = orient::make_consistent(&mut surface);
-    report.flipped_facets = oriented.flipped;
-    report.one_sided = oriented.one_sided;
+    report.one_sided = orient::make_consistent(&mut surface);
     let slivers = slivers::remove(&mut surface);
     report.welded_vertices += slivers.merged;
     report.dropped_degenerate += slivers.dropped;
@@ -172,10 +171,10 @@ fn turn_outward(surface: &mut Surface, report: &mut RepairReport) {
         for (f, &label) in bodies.of.iter().enumerate() {
             if reverse[label as usize] {
                 surface.flip(f);
-                report.flipped_facets += 1;
             }
         }
     }
+    report.flipped_facets = surface.reversed();
     report.open_rims = rims.len();
     report.components = bodies.all.len();
     report.closed_components = bodies.all.iter().filter(|body| body.boundary == 0).count();

@@ -3,8 +3,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::indexed::Mesh;
 use super::repair::{self, Limits, RepairReport};
-use super::{Mesh, NO_FACE, weld};
+use super::topology::NO_FACE;
+use super::weld;
 use crate::{CoreError, Result};
 
 impl Mesh {

@@ -6,14 +6,10 @@
 
 use std::collections::HashSet;
 
-use glam::DVec3;
-use rayon::prelude::*;
-
 use super::surface::Surface;
-use super::{NO_FACE, needles, topology};
+use super::topology::{self, NO_FACE};
+use super::{flat, needles};
 
-/// Height of a facet without area, relative to the model's diagonal: the rounding of an f32.
-const FLAT: f64 = f32::EPSILON as f64;
 /// Rounds after which what cannot be turned is left as it is.
 const ROUNDS: usize = 8;
 
@@ -32,11 +28,11 @@ pub struct Slivers {
 
 /// Removes facets whose height is below the rounding of the file's numbers.
 pub fn remove(surface: &mut Surface) -> Slivers {
-    let limit = surface.diagonal() * FLAT;
+    let limit = flat::limit(surface);
     let mut result = Slivers::default();
     let before = surface.faces.len();
     result.merged = needles::collapse(surface, limit);
-    let mut flat = find(surface, limit);
+    let mut flat = flat::find(surface, limit);
     if !flat.is_empty() {
         turn_all(surface, limit, &mut flat, &mut result);
     }
@@ -53,7 +49,7 @@ fn turn_all(surface: &mut Surface, limit: f64, flat: &mut Vec<usize>, result: &m
         let mut edges = edges_near(surface, flat);
         for &f in flat.iter() {
             let longest = longest_edge(surface, f);
-            if dropped[f] || height(surface, surface.faces[f]) > limit {
+            if dropped[f] || flat::height(surface, surface.faces[f]) > limit {
                 continue;
             }
             if surface.neighbours[f][longest] == NO_FACE {
@@ -68,7 +64,7 @@ fn turn_all(surface: &mut Surface, limit: f64, flat: &mut Vec<usize>, result: &m
         if !changed {
             break;
         }
-        *flat = find(surface, limit);
+        *flat = flat::find(surface, limit);
     }
     flat.retain(|&f| !dropped[f]);
     surface.drop_faces(&dropped);
@@ -84,30 +80,6 @@ fn edges_near(surface: &Surface, faces: &[usize]) -> HashSet<(u32, u32)> {
         .filter(|(a, b)| vertices.contains(a) || vertices.contains(b))
         .map(sorted)
         .collect()
-}
-
-/// Facets whose height is at most `limit`, ascending.
-pub fn find(surface: &Surface, limit: f64) -> Vec<usize> {
-    (0..surface.faces.len())
-        .into_par_iter()
-        .filter(|&f| {
-            let (area, longest) = measures(surface, surface.faces[f]);
-            area <= limit * limit * longest
-        })
-        .collect()
-}
-
-/// Height of a triangle over its longest edge.
-fn height(surface: &Surface, face: [u32; 3]) -> f64 {
-    let (area, longest) = measures(surface, face);
-    if longest == 0.0 { 0.0 } else { (area / longest).sqrt() }
-}
-
-/// Squares of twice a triangle's area and of its longest edge.
-fn measures(surface: &Surface, face: [u32; 3]) -> (f64, f64) {
-    let [a, b, c] = face.map(|v| surface.vertices[v as usize]);
-    let edges = [b - a, c - b, a - c].map(DVec3::length_squared);
-    ((b - a).cross(c - a).length_squared(), edges[0].max(edges[1]).max(edges[2]))
 }
 
 fn longest_edge(surface: &Surface, f: usize) -> usize {
@@ -130,8 +102,12 @@ fn turn(surface: &mut Surface, edges: &mut HashSet<(u32, u32)>, f: usize, k: usi
     };
     let d = surface.faces[g][(j + 2) % 3];
     let (new_f, new_g) = ([b, p, d], [d, q, b]);
-    let gained = height(surface, new_f).min(height(surface, new_g));
-    if f == g || b == d || edges.contains(&sorted((b, d))) || gained <= height(surface, [p, q, b]) {
+    let gained = flat::height(surface, new_f).min(flat::height(surface, new_g));
+    if f == g
+        || b == d
+        || edges.contains(&sorted((b, d)))
+        || gained <= flat::height(surface, [p, q, b])
+    {
         return false;
     }
     let (bp, qb) = (surface.neighbours[f][(k + 2) % 3], surface.neighbours[f][(k + 1) % 3]);

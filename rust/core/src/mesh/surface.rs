@@ -2,8 +2,9 @@
 
 use glam::{DAffine3, DVec3};
 
-use super::topology::Adjacency;
-use super::{Mesh, NO_FACE, fans};
+use super::fans;
+use super::indexed::{Mesh, bounds};
+use super::topology::{Adjacency, NO_FACE};
 
 /// A mesh under repair.
 #[derive(Debug, Default)]
@@ -20,6 +21,9 @@ pub struct Surface {
     pub boundary: usize,
     /// Number of edges that both of their faces traverse in the same direction.
     pub opposed: usize,
+    /// Whether each face runs against its direction in the file; may be shorter than `faces`,
+    /// where none of the others does.
+    reversed: Vec<bool>,
 }
 
 impl Surface {
@@ -43,7 +47,7 @@ impl Surface {
 
     /// Length of the bounding box' diagonal, in the file's unit.
     pub fn diagonal(&self) -> f64 {
-        let (low, high) = super::bounds(&self.vertices);
+        let (low, high) = bounds(&self.vertices);
         (high - low).length()
     }
 
@@ -68,13 +72,23 @@ impl Surface {
     pub fn flip(&mut self, f: usize) {
         self.faces[f].swap(1, 2);
         self.neighbours[f].swap(0, 2);
+        if self.reversed.len() <= f {
+            self.reversed.resize(self.faces.len(), false);
+        }
+        self.reversed[f] ^= true;
+    }
+
+    /// Number of faces that run against their direction in the file.
+    pub fn reversed(&self) -> usize {
+        self.reversed.iter().filter(|&&reversed| reversed).count()
     }
 
     /// Drops the marked faces and connects the rest; returns how many were dropped.
     pub fn drop_faces(&mut self, dropped: &[bool]) -> usize {
         let before = self.faces.len();
-        let mut marks = dropped.iter();
+        let (mut marks, mut same) = (dropped.iter(), dropped.iter());
         self.faces.retain(|_| marks.next() != Some(&true));
+        self.reversed.retain(|_| same.next() != Some(&true));
         if self.faces.len() < before {
             self.connect();
         }
@@ -99,6 +113,20 @@ impl Surface {
         for v in self.faces.as_flattened_mut() {
             *v = map[*v as usize];
         }
+    }
+}
+
+impl Mesh {
+    /// A mesh of welded vertices and faces, with its adjacency and without any repair.
+    ///
+    /// Each face must have three different vertices, all below the number of vertices. At edges
+    /// with more than two faces these are paired so that manifold sheets remain.
+    ///
+    /// # Panics
+    /// Where a face names a vertex that does not exist.
+    #[must_use]
+    pub fn new(vertices: Vec<DVec3>, faces: Vec<[u32; 3]>) -> Self {
+        Surface::new(vertices, faces).into()
     }
 }
 

@@ -8,7 +8,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
-use super::NO_FACE;
+/// Marks an edge of a face that has no neighbour.
+pub const NO_FACE: u32 = u32::MAX;
 
 /// Faces that one task gathers.
 const CHUNK_FACES: usize = 1 << 15;

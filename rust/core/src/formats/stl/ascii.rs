@@ -1,9 +1,14 @@
-//! ASCII STL, read strictly: real numbers only, exactly three vertices a facet.
+//! ASCII STL, read strictly: real coordinates only, exactly three vertices a facet.
+//!
+//! What programs write besides is noted and passed over: normals that are no numbers, text behind
+//! `endloop` and `endfacet`, no `endsolid`, a ^Z at the end.
 //!
 //! The file is cut at `endfacet` tokens near multiples of [`CHUNK`], so that every thread parses
 //! whole facets. An error knows its byte; its line is counted only when it is reported.
 
-use super::{Chunks, Source, key, read_chunks};
+use super::super::notes::Notes;
+use super::super::source::Source;
+use super::chunks::{Chunks, key, read_chunks};
 use crate::mesh::weld::{Chunk, Collector};
 use crate::{CoreError, Result};
 
@@ -12,13 +17,31 @@ const CHUNK: u64 = 1 << 20;
 /// Bytes past a chunk's nominal end within which a facet must end.
 const SLACK: usize = 1 << 16;
 const SEAM: &[u8] = b"endfacet";
+/// What marks the end of a text for DOS.
+const CONTROL_Z: u8 = 0x1A;
+const BYTE_ORDER_MARK: &[u8] = "\u{FEFF}".as_bytes();
 
-/// Reads the facets of an ASCII file on all threads.
-pub fn read(source: &Source) -> Result<Chunks> {
+const STRANGE_NORMAL: &str = "normals that are no numbers passed over";
+const TRAILING_TEXT: &str = "text after endloop or endfacet passed over";
+const DOS_END: &str = "a ^Z ends the text";
+const NO_ENDSOLID: &str = "a solid ends without endsolid";
+
+/// Reads the facets of an ASCII file on all threads; also sentences about where it deviates.
+///
+/// # Errors
+/// [`CoreError::Unreadable`] with the line of what makes no sense.
+pub fn read(source: &Source) -> Result<(Chunks, Vec<String>)> {
     let count = source.len.div_ceil(CHUNK);
-    read_chunks(count, Default::default, |(buffer, collector): &mut (_, Collector<_>), c| {
+    let read = |(buffer, collector): &mut (_, Collector<_>), c| {
         read_chunk(source, c * CHUNK, buffer, collector)
-    })
+    };
+    let (mut chunks, mut notes) = (Chunks::new(), Notes::default());
+    for (chunk, found) in read_chunks(count, Default::default, read)? {
+        chunks.push(chunk);
+        notes.append(found);
+    }
+    let place = |byte| line_of(source, byte).map_or(String::new(), |line| format!("line {line}"));
+    Ok((chunks, notes.in_words(place)))
 }
 
 fn read_chunk(
@@ -26,7 +49,7 @@ fn read_chunk(
     nominal: u64,
     buffer: &mut Vec<u8>,
     collector: &mut Collector<[u32; 3]>,
-) -> Result<Chunk<[u32; 3]>> {
+) -> Result<(Chunk<[u32; 3]>, Notes)> {
     source.fill(buffer, nominal, CHUNK as usize + SLACK)?;
     let at_end = nominal + buffer.len() as u64 >= source.len;
     let start = if nominal == 0 { Some(0) } else { seam(buffer, 0) };
@@ -34,15 +57,17 @@ fn read_chunk(
     let (start, end) = match (start, end) {
         (Some(start), Some(end)) => (start, end),
         // The chunk before found no seam either, and has read on to the file's end.
-        (None, _) if at_end => return collector.chunk(|_| Ok(())),
+        (None, _) if at_end => return Ok((collector.chunk(|_| Ok(()))?, Notes::default())),
         _ => return Err(complain(source, nominal, "expected endfacet after at most 64 kB")),
     };
     let last = at_end && end == buffer.len();
-    let mut parser = Parser { bytes: &buffer[start..end], at: 0 };
-    collector.chunk(|corners| {
+    let begin = nominal + start as u64;
+    let mut parser = Parser { bytes: &buffer[start..end], at: 0, begin, notes: Notes::default() };
+    let chunk = collector.chunk(|corners| {
         let parsed = parser.solids(nominal == 0, last, corners);
-        parsed.map_err(|what| complain(source, nominal + (start + parser.at) as u64, &what))
-    })
+        parsed.map_err(|what| complain(source, begin + parser.at as u64, &what))
+    })?;
+    Ok((chunk, parser.notes))
 }
 
 /// End of the first `endfacet` that begins at or after `from`.
@@ -77,6 +102,10 @@ fn line_of(source: &Source, byte: u64) -> Result<u64> {
 struct Parser<'a> {
     bytes: &'a [u8],
     at: usize,
+    /// Where the bytes begin in the file.
+    begin: u64,
+    /// By their bytes in the file.
+    notes: Notes,
 }
 
 type Parsed<T> = std::result::Result<T, String>;
@@ -91,13 +120,21 @@ impl<'a> Parser<'a> {
     ) -> Parsed<()> {
         let mut inside = !first;
         if first {
+            self.at =
+                if self.bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
             self.keyword("solid")?;
             self.skip_line();
             inside = true;
+        } else {
+            self.pass_over(&["facet", "endsolid", "solid"]);
         }
         loop {
             let word = self.token();
             if word.is_empty() {
+                break;
+            }
+            if last && self.is_end(word) {
+                self.note(DOS_END);
                 break;
             }
             if inside && is(word, "facet") {
@@ -105,7 +142,10 @@ impl<'a> Parser<'a> {
             } else if inside && is(word, "endsolid") {
                 self.skip_line();
                 inside = false;
-            } else if !inside && is(word, "solid") {
+            } else if is(word, "solid") {
+                if inside {
+                    self.note(NO_ENDSOLID);
+                }
                 self.skip_line();
                 inside = true;
             } else {
@@ -113,15 +153,33 @@ impl<'a> Parser<'a> {
                 return Err(self.unexpected(expected, word));
             }
         }
-        if last && inside { Err("expected endsolid, the file ends".into()) } else { Ok(()) }
+        if last && inside {
+            self.note(NO_ENDSOLID);
+        }
+        Ok(())
+    }
+
+    /// Whether a word is a ^Z, and nothing but more of it follows.
+    fn is_end(&self, word: &[u8]) -> bool {
+        let filler = |b: &u8| b.is_ascii_whitespace() || *b == CONTROL_Z || *b == 0;
+        word.starts_with(&[CONTROL_Z])
+            && word.iter().all(filler)
+            && self.bytes[self.at..].iter().all(filler)
     }
 
     /// The rest of a facet after its first word.
     fn facet(&mut self, collector: &mut Collector<[u32; 3]>) -> Parsed<()> {
         self.keyword("normal")?;
         for _ in 0..3 {
-            // Normals follow from the vertices; exporters write NaN for a facet without area.
-            self.number()?;
+            // Normals follow from the vertices; exporters write NaN for a facet without area, in
+            // as many ways as there are libraries.
+            let word = self.token();
+            if ["outer", "vertex", "facet", ""].iter().any(|keyword| is(word, keyword)) {
+                return Err(self.unexpected("a number", word));
+            }
+            if parsed(word).is_none() {
+                self.note(STRANGE_NORMAL);
+            }
         }
         self.keyword("outer")?;
         self.keyword("loop")?;
@@ -136,13 +194,35 @@ impl<'a> Parser<'a> {
             })?);
         }
         self.keyword("endloop")?;
-        self.keyword("endfacet")
+        self.pass_over(&["endfacet"]);
+        self.keyword("endfacet")?;
+        self.pass_over(&["facet", "endsolid", "solid"]);
+        Ok(())
+    }
+
+    /// Passes over the rest of the line, unless it goes on with one of some words.
+    fn pass_over(&mut self, words: &[&str]) {
+        if matches!(self.bytes.get(self.at), None | Some(b'\n')) {
+            return;
+        }
+        let begin = self.at;
+        self.skip_line();
+        let line = self.bytes[begin..self.at].trim_ascii();
+        let first = line.split(u8::is_ascii_whitespace).next().unwrap_or_default();
+        if words.iter().any(|word| is(first, word)) {
+            self.at = begin;
+        } else if !first.is_empty() {
+            self.note(TRAILING_TEXT);
+        }
+    }
+
+    fn note(&mut self, what: &'static str) {
+        self.notes.add(what, self.begin + self.at as u64);
     }
 
     fn number(&mut self) -> Parsed<f32> {
         let word = self.token();
-        let number = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
-        number.ok_or_else(|| self.unexpected("a number", word))
+        parsed(word).ok_or_else(|| self.unexpected("a number", word))
     }
 
     fn keyword(&mut self, wanted: &str) -> Parsed<()> {
@@ -171,6 +251,10 @@ impl<'a> Parser<'a> {
         let shown = if word.is_empty() { "the end of the file".into() } else { shown };
         format!("expected {wanted}, found {}", shown.escape_debug())
     }
+}
+
+fn parsed(word: &[u8]) -> Option<f32> {
+    std::str::from_utf8(word).ok()?.parse().ok()
 }
 
 fn is(word: &[u8], wanted: &str) -> bool {

@@ -1,8 +1,9 @@
 //! Binary STL: 80 bytes of header, a 32-bit count, 50 bytes a facet, little-endian.
 
-use super::{Chunks, MOST_FACETS, Source, key, read_chunks};
-use crate::Result;
+use super::super::source::Source;
+use super::chunks::{Chunks, key, read_chunks};
 use crate::mesh::weld::{CHUNK_CORNERS, Collector};
+use crate::{CoreError, Result};
 
 const HEADER: u64 = 84;
 const FACET: usize = 50;
@@ -11,21 +12,46 @@ const CORNERS: std::ops::Range<usize> = 12..48;
 /// One byte in this many may be a control character in a (damaged) text.
 const MOST_CONTROL_SHARE: usize = 16;
 const CHUNK_FACETS: usize = CHUNK_CORNERS / 3;
+/// Most facets: the index of every corner must fit 32 bits.
+const MOST_FACETS: u64 = u32::MAX as u64 / 3;
 
-/// Number of facets of a binary file, or nothing where the file is text.
-pub fn facets(source: &Source, head: &[u8]) -> Result<Option<u64>> {
+/// How a binary file is laid out.
+pub struct Layout {
+    /// Number of facets.
+    pub facets: u64,
+    /// Sentences about where it deviates.
+    pub notes: Vec<String>,
+}
+
+/// The layout of a binary file, or nothing where the file is text.
+///
+/// A count of 0 is taken for one that was never written where facets fill the file, and less than
+/// a facet may follow the last one.
+///
+/// # Errors
+/// [`CoreError::Unreadable`] where count and length disagree otherwise.
+pub fn layout(source: &Source, head: &[u8]) -> Result<Option<Layout>> {
     let count = match head.get(80..84) {
         Some(&[a, b, c, d]) => u64::from(u32::from_le_bytes([a, b, c, d])),
         _ if is_text(head) => return Ok(None),
         _ => return Err(source.error("the file is too short for an STL (84 bytes at least)")),
     };
-    if source.len != HEADER + count * FACET as u64 {
-        return if is_text(head) { Ok(None) } else { Err(disagreement(source, count)) };
+    let (held, tail) = ((source.len - HEADER) / FACET as u64, (source.len - HEADER) % FACET as u64);
+    if (count != held || tail > 0) && is_text(head) {
+        return Ok(None);
     }
-    if count > MOST_FACETS {
-        return Err(source.error(format!("{count} facets are too many (at most {MOST_FACETS})")));
+    let notes = match (count, tail) {
+        (_, 0) if count == held => Vec::new(),
+        (0, 0) => vec![format!("the count at byte 80 is 0, taken from the file's length: {held}")],
+        (1.., _) if count == held => {
+            vec![format!("bytes after the last facet passed over: {tail}")]
+        }
+        _ => return Err(disagreement(source, count)),
+    };
+    if held > MOST_FACETS {
+        return Err(source.error(format!("{held} facets are too many (at most {MOST_FACETS})")));
     }
-    Ok(Some(count))
+    Ok(Some(Layout { facets: held, notes }))
 }
 
 /// Whether the bytes are text, be it text with a few stray control characters.
@@ -34,7 +60,7 @@ fn is_text(head: &[u8]) -> bool {
     control <= head.len() / MOST_CONTROL_SHARE
 }
 
-fn disagreement(source: &Source, count: u64) -> crate::CoreError {
+fn disagreement(source: &Source, count: u64) -> CoreError {
     let held = (source.len - HEADER) / FACET as u64;
     let cause = if held < count { "it is truncated" } else { "it holds more than it declares" };
     source.error(format!(
@@ -76,7 +102,7 @@ fn collect(
     Ok(())
 }
 
-fn bad_corner(source: &Source, facet: u64, corner: usize, point: [f32; 3]) -> crate::CoreError {
+fn bad_corner(source: &Source, facet: u64, corner: usize, point: [f32; 3]) -> CoreError {
     let byte = HEADER + facet * FACET as u64 + (CORNERS.start + 12 * corner) as u64;
     source.error(format!(
         "facet {} has the corner ({}, {}, {}) at byte {byte}: not a finite, sensible coordinate; \
