@@ -15,7 +15,8 @@ import wireprint
 from command import run
 from wireprint import GcodeError, Settings
 from wireprint._core import Mesh, coverage, deviation
-from wireprint.certificate import settings_for
+from wireprint.certificate import check, settings_for, terms_of
+from wireprint.mesh import load_mesh
 
 FIRST = 0.35
 SLAB = 4.0
@@ -214,13 +215,24 @@ def test_fidelity_counts_strands_of_the_object_only():
     assert counted.uncovered[0].area_mm2 >= counted.uncovered[-1].area_mm2
     missing = sum(patch.area_mm2 for patch in counted.uncovered)
     assert counted.coverage == pytest.approx(1 - missing / mesh.area)
+    assert counted.area_mm2 == pytest.approx(mesh.area)
+
+
+def test_how_far_strands_lie_off_is_measured_where_it_is_asked_for(cube_stl):
+    text, mesh = "\n".join(wire_cube()).encode(), load_mesh(cube_stl)
+    whole, part = (check(text, model=mesh, deviation=wanted).fidelity for wanted in (True, False))
+    assert part.coverage == whole.coverage
+    assert part.deviation_mm is None
+    assert part.max_chord_deviation_mm is None
+    assert whole.max_chord_deviation_mm >= whole.chord_deviation_mm >= 0
 
 
 def test_coverage_and_deviation_take_arrays():
     mesh = plate()
     strands = np.array([[[-30.0, -30, 0], [30, 30, 0]]])
-    share, patches = coverage(mesh, strands, 4.0)
+    share, area, patches = coverage(mesh, strands, terms_of(Settings.load()))
     assert 0.08 < share < 0.1
+    assert area == pytest.approx(mesh.area)
     assert patches
     assert deviation(mesh, strands) == pytest.approx((0, 0), abs=1e-6)
     with pytest.raises(wireprint.SettingError, match=r"\(N, 2, 3\)"):

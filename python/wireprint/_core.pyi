@@ -412,6 +412,14 @@ class _Head(TypedDict):
     carriage_height_mm: float
     carriage_radius_mm: float
 
+class _Terms(TypedDict):
+    within_mm: float
+    strand_mm: float
+    level_sine: float
+    caps: bool
+    supports: bool
+    span_limit_mm: float
+
 class _WireParams(TypedDict):
     strand_mm: float
     slab_min_mm: float
@@ -504,6 +512,7 @@ def toolpath(wireframe: Wireframe, params: _PathParams) -> Toolpath: ...
 
 _Point: TypeAlias = tuple[float, float, float]
 _Patch: TypeAlias = tuple[float, _Point, _Point, _Point]
+_Coverage: TypeAlias = tuple[float, float, list[_Patch]]
 
 @final
 class Certificate:
@@ -547,11 +556,10 @@ class Certificate:
         centre_mm: tuple[float, float],
         aside: set[str],
         inside: set[str],
-        within_mm: float,
-    ) -> tuple[float, list[_Patch], tuple[float, float], tuple[float, float]]: ...
+        terms: _Terms,
+        deviation: bool,
+    ) -> tuple[_Coverage, tuple[tuple[float, float], tuple[float, float]] | None]: ...
 
 def certify(text: bytes, rules: Mapping[str, Any]) -> Certificate: ...
-def coverage(
-    mesh: Mesh, strands: npt.NDArray[np.float64], within_mm: float
-) -> tuple[float, list[_Patch]]: ...
+def coverage(mesh: Mesh, strands: npt.NDArray[np.float64], terms: _Terms) -> _Coverage: ...
 def deviation(mesh: Mesh, strands: npt.NDArray[np.float64]) -> tuple[float, float]: ...

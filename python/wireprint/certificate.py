@@ -131,19 +131,22 @@ class Patch:
 
 @dataclass(frozen=True, slots=True)
 class Fidelity:
-    """How a print compares with its model (rule 6)."""
+    """How a print compares with its model (rules 5 and 6)."""
 
-    #: Share of the surface within `within_mm` of a strand, 0-1.
+    #: Share of `area_mm2` within `within_mm` of a strand, 0-1.
     coverage: float
+    #: Surface that counts, mm²: the outer one, but for what options leave out on purpose.
+    area_mm2: float
     #: Distance that counts as covered, mm.
     within_mm: float
-    #: Mean distance of the strands from the surface, by length, mm.
-    deviation_mm: float
+    #: Mean distance of the strands from the surface, by length, mm; these four are None where
+    #: they were not asked for.
+    deviation_mm: float | None
     #: Greatest distance, mm.
-    max_deviation_mm: float
+    max_deviation_mm: float | None
     #: The same, strands that hang taken as the chords that they relax to.
-    chord_deviation_mm: float
-    max_chord_deviation_mm: float
+    chord_deviation_mm: float | None
+    max_chord_deviation_mm: float | None
     #: Uncovered patches, the largest first.
     uncovered: tuple[Patch, ...]
 
@@ -255,6 +258,8 @@ def check(
     source: str | os.PathLike[str] | bytes,
     printer: str | Settings | None = None,
     model: _core.Mesh | None = None,
+    *,
+    deviation: bool = True,
 ) -> Certificate:
     """Judge a G-code file, or G-code in memory.
 
@@ -267,6 +272,8 @@ def check(
         file says that it was made with, else ``kossel-mini``.
     model
         Mesh to compare with, placed as `slice` places it: in the middle of the bed.
+    deviation
+        Whether to measure how far strands lie from the model, too, not only what they cover.
 
     Returns
     -------
@@ -294,7 +301,7 @@ def check(
         name = "the text" if isinstance(source, bytes) else os.fspath(source)
         raise GcodeError(f"{name}: it moves nothing")
     aside = ASIDE if text.startswith(OWN_MARK) else FOREIGN_ASIDE
-    fidelity = None if model is None else _fidelity(core, model, settings, aside)
+    fidelity = None if model is None else _fidelity(core, model, settings, aside, deviation)
     return Certificate(settings.printer.name, rules, fidelity, core)
 
 
@@ -347,20 +354,50 @@ def _home_mm(printer: Printer) -> Point:
     return (0.0, 0.0, printer.motion.endstop_height or 0.0)
 
 
+def terms_of(settings: Settings) -> _core._Terms:
+    """Return what coverage counts.
+
+    Notes
+    -----
+    Contours a slab apart lie ``slab / sin(slope)`` apart along the surface. Where that is more
+    than twice the distance that counts as covered, only caps can close it: that is what *level*
+    means, up to 45°.
+    """
+    printer, wire = settings.printer, settings.wire
+    return {
+        "within_mm": wire.coverage_within_mm,
+        "strand_mm": printer.head.nozzle_mm,
+        "level_sine": min(settings.slab_min_mm / (2 * wire.coverage_within_mm), math.sqrt(0.5)),
+        "caps": wire.caps,
+        "supports": wire.supports == "wire",
+        "span_limit_mm": wire.span_limit_mm,
+    }
+
+
 def _fidelity(
-    core: _core.Certificate, model: _core.Mesh, settings: Settings, aside: frozenset[str]
+    core: _core.Certificate,
+    model: _core.Mesh,
+    settings: Settings,
+    aside: frozenset[str],
+    deviation: bool,
 ) -> Fidelity:
-    within_mm = settings.wire.coverage_within_mm
-    share, patches, commanded, relaxed = core.fidelity(
-        on_bed(model, settings), settings.printer.bed.centre_mm, set(aside), set(INSIDE), within_mm
+    (share, area_mm2, patches), found = core.fidelity(
+        on_bed(model, settings),
+        settings.printer.bed.centre_mm,
+        set(aside),
+        set(INSIDE),
+        terms_of(settings),
+        deviation,
     )
+    (mean, most), (chord_mean, chord_most) = found or ((None, None), (None, None))
     return Fidelity(
         coverage=share,
-        within_mm=within_mm,
-        deviation_mm=commanded[0],
-        max_deviation_mm=commanded[1],
-        chord_deviation_mm=relaxed[0],
-        max_chord_deviation_mm=relaxed[1],
+        area_mm2=area_mm2,
+        within_mm=settings.wire.coverage_within_mm,
+        deviation_mm=mean,
+        max_deviation_mm=most,
+        chord_deviation_mm=chord_mean,
+        max_chord_deviation_mm=chord_most,
         uncovered=tuple(Patch(*row) for row in patches),
     )
 

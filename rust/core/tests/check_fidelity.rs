@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec3, dvec3};
-use wireprint_core::fidelity::{Deviation, Surface, coverage};
+use wireprint_core::fidelity::{self, Coverage, Deviation, Surface, Terms};
 use wireprint_core::mesh::Mesh;
 
 /// A flat square of side 100 mm at z = 0 in n × n × 2 triangles.
@@ -40,6 +40,14 @@ fn sphere(n: u32) -> Mesh {
         })
         .collect();
     Mesh::new(vertices, faces)
+}
+
+/// Terms under which all of the outer surface counts.
+const TERMS: Terms =
+    Terms { within: 4.0, strand: 0.7, level: 0.175, caps: true, supports: true, span: 65.0 };
+
+fn coverage(mesh: &Mesh, strands: &[[DVec3; 2]], within: f64) -> Coverage {
+    fidelity::coverage(mesh, strands, &Terms { within, ..TERMS })
 }
 
 fn deviation(mesh: &Mesh, strands: &[[DVec3; 2]]) -> Deviation {

@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArray
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use wireprint_core::check::{self, Bed, Bound as Limit, Limits, LooseEnd, Obstacle, Rules};
-use wireprint_core::fidelity;
+use wireprint_core::fidelity::{self, Terms};
 use wireprint_core::gcode::machine::{Dialect, MachineSettings};
 
 use crate::arrays;
@@ -73,6 +73,33 @@ impl RulesTable {
             home: DVec3::from(self.home_mm),
             home_all: self.home_all,
         }
+    }
+}
+
+/// What coverage counts, as `wireprint.certificate` resolves it: every key is there.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct TermsTable {
+    within_mm: f64,
+    strand_mm: f64,
+    level_sine: f64,
+    caps: bool,
+    supports: bool,
+    span_limit_mm: f64,
+}
+
+impl TermsTable {
+    fn core(&self) -> PyResult<Terms> {
+        require_positive("within_mm", self.within_mm)?;
+        require_positive("strand_mm", self.strand_mm)?;
+        Ok(Terms {
+            within: self.within_mm,
+            strand: self.strand_mm,
+            level: self.level_sine,
+            caps: self.caps,
+            supports: self.supports,
+            span: self.span_limit_mm,
+        })
     }
 }
 
@@ -196,8 +223,9 @@ impl Certificate {
     /// Compares the strands with a mesh that stands about `centre_mm` on the bed.
     ///
     /// Strands with a `;TYPE:` label in `aside` count for nothing, those with one in `inside` for
-    /// coverage alone. The deviations, mean and greatest in mm, are those of the strands as
-    /// commanded, then relaxed.
+    /// coverage alone. Returns as `coverage` does, then the deviations, mean and greatest in mm,
+    /// of the strands as commanded and relaxed; None unless `deviation` is set.
+    #[expect(clippy::too_many_arguments, reason = "arguments of a Python call")]
     fn fidelity(
         &self,
         py: Python<'_>,
@@ -205,9 +233,10 @@ impl Certificate {
         centre_mm: [f64; 2],
         aside: HashSet<String>,
         inside: HashSet<String>,
-        within_mm: f64,
+        terms: TermsTable,
+        deviation: bool,
     ) -> PyResult<FidelityRow> {
-        require_positive("within_mm", within_mm)?;
+        let terms = terms.core()?;
         let shift = DVec2::from(centre_mm).extend(0.0);
         let is_in = |strand: usize, names: &HashSet<String>| {
             let feature = self.core.strand_features.get(strand).copied().unwrap_or(0);
@@ -219,7 +248,10 @@ impl Certificate {
             let strands = || self.core.strands.iter().enumerate();
             let covering = strands().filter(|(strand, _)| covers(*strand));
             let covering = moved(covering.map(|(_, ends)| *ends), shift);
-            let coverage = fidelity::coverage(mesh.core(), &covering, within_mm);
+            let coverage = fidelity::coverage(mesh.core(), &covering, &terms);
+            if !deviation {
+                return (coverage_row(&coverage), None);
+            }
             let commanded = strands().filter(|(strand, _)| shows(*strand));
             let commanded = moved(commanded.map(|(_, ends)| *ends), shift);
             let relaxed = self.core.relaxed.iter().filter(|piece| shows(piece.strand as usize));
@@ -227,12 +259,8 @@ impl Certificate {
             let surface = fidelity::Surface::new(mesh.core());
             let commanded = surface.deviation(&commanded);
             let relaxed = surface.deviation(&relaxed);
-            (
-                coverage.share,
-                patch_rows(&coverage),
-                (commanded.mean, commanded.max),
-                (relaxed.mean, relaxed.max),
-            )
+            let deviation = [commanded, relaxed].map(|found| (found.mean, found.max));
+            (coverage_row(&coverage), Some(deviation))
         }))
     }
 
@@ -249,8 +277,8 @@ impl Certificate {
     }
 }
 
-/// Coverage, uncovered patches, deviation as commanded and relaxed.
-type FidelityRow = (f64, Vec<PatchRow>, (f64, f64), (f64, f64));
+/// Coverage, and deviation as commanded and relaxed.
+type FidelityRow = (CoverageRow, Option<[(f64, f64); 2]>);
 
 fn moved(strands: impl Iterator<Item = [DVec3; 2]>, by: DVec3) -> Vec<[DVec3; 2]> {
     strands.map(|ends| ends.map(|p| p - by)).collect()
@@ -296,8 +324,11 @@ pub fn certify(
 /// An uncovered patch: area in mm², centroid, lowest and highest coordinates in mm.
 type PatchRow = (f64, Point, Point, Point);
 
-/// Share of a mesh's area within `within_mm` of a strand, and the uncovered patches: area in mm²,
-/// centroid, lowest and highest coordinates in mm; the largest first.
+/// Share that is covered, the area that counts in mm², and the uncovered patches.
+type CoverageRow = (f64, f64, Vec<PatchRow>);
+
+/// Share of a mesh's outer surface near a strand, the area that counts in mm², and the uncovered
+/// patches: area in mm², centroid, lowest and highest coordinates in mm; the largest first.
 ///
 /// # Errors
 /// `SettingError` for a distance that is not positive, `ValueError` for malformed strands.
@@ -306,19 +337,18 @@ pub fn coverage(
     py: Python<'_>,
     mesh: &Mesh,
     strands: PyReadonlyArray3<'_, f64>,
-    within_mm: f64,
-) -> PyResult<(f64, Vec<PatchRow>)> {
-    require_positive("within_mm", within_mm)?;
-    let strands = ends(&strands)?;
-    let found = py.detach(|| fidelity::coverage(mesh.core(), &strands, within_mm));
-    Ok((found.share, patch_rows(&found)))
+    terms: TermsTable,
+) -> PyResult<CoverageRow> {
+    let (terms, strands) = (terms.core()?, ends(&strands)?);
+    let found = py.detach(|| fidelity::coverage(mesh.core(), &strands, &terms));
+    Ok(coverage_row(&found))
 }
 
-fn patch_rows(coverage: &fidelity::Coverage) -> Vec<PatchRow> {
+fn coverage_row(coverage: &fidelity::Coverage) -> CoverageRow {
     let row = |patch: &fidelity::Patch| {
         (patch.area, patch.centroid.into(), patch.low.into(), patch.high.into())
     };
-    coverage.uncovered.iter().map(row).collect()
+    (coverage.share, coverage.area, coverage.uncovered.iter().map(row).collect())
 }
 
 /// Mean (by length) and greatest distance of strands from a mesh's surface, mm.

@@ -1,130 +1,183 @@
-//! Coverage: how much of the surface lies near a strand, and where the rest is.
+//! Coverage: how much of the outer surface lies near a strand, and where the rest is.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::left_out::LeftOut;
+use super::patches::{Bare, Patch, patches};
+use super::samples::{Pitch, Samples};
 use super::segments::Segments;
-use super::triangle;
-use crate::mesh::{Mesh, NO_FACE};
-
-/// Area that one sample stands for, mm²; faces smaller than that have one sample.
-const SAMPLE_MM2: f64 = 1.0;
-
-/// Samples beyond one a face; on larger surfaces each stands for more.
-const MOST_SAMPLES: f64 = 2e6;
+use super::shells::{Probe, Shells};
+use crate::mesh::Mesh;
 
 /// Faces that one task samples.
 const BATCH: usize = 512;
 
+/// Samples that are looked up at a time, to see which of them shells enclose.
+const AT_ONCE: usize = 1 << 20;
+
+/// Places by which the area that no shell encloses is measured: enough for a thousandth of it.
+const PROBES: f64 = 65536.0;
+
+/// What counts as covered, and which surface counts at all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Terms {
+    /// Distance from a strand up to which surface is covered, mm.
+    pub within: f64,
+    /// Diameter of a strand, mm. Surface in a gap of half of that shows no strand.
+    pub strand: f64,
+    /// Sine of the steepest slope that counts as level, 0–1.
+    pub level: f64,
+    /// Whether level faces are to be closed.
+    pub caps: bool,
+    /// Whether what would hang in the air is to be supported.
+    pub supports: bool,
+    /// Longest stretch held at both ends, mm: level faces wider than that want supports.
+    pub span: f64,
+}
+
 /// How much of a model's surface its strands show.
 #[derive(Debug, Clone, Default)]
 pub struct Coverage {
-    /// Share of the area within the distance of a strand, 0–1; 1 for a mesh without area.
+    /// Share of the area that counts within the distance of a strand, 0–1; 1 where none counts.
     pub share: f64,
+    /// The area that counts, mm²: outer surface that is not left out on purpose.
+    pub area: f64,
     /// The rest, in connected patches, the largest first.
     pub uncovered: Vec<Patch>,
 }
 
-/// A connected part of the surface that no strand is near to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Patch {
-    /// Area, mm².
-    pub area: f64,
-    /// Its centre of area, mm.
-    pub centroid: DVec3,
-    /// Lowest coordinates of its samples, mm.
-    pub low: DVec3,
-    /// Highest coordinates of its samples, mm.
-    pub high: DVec3,
-}
-
-/// Measures the share of a mesh's surface within `within` mm of a strand.
+/// Measures how much of a mesh's outer surface lies near a strand.
 ///
-/// Faces are divided evenly into samples of at most 1 mm² (more on surfaces beyond 2 m²); the
-/// distance of each sample's centroid is exact. Patches are connected through the mesh's faces.
+/// **Outer** is what no closed shell of the mesh encloses, half a strand off the surface: faces
+/// buried in other bodies or between them are no surface, nor is what faces a hollow that the
+/// model shuts in. Level faces do not count where caps are off; nor, where supports are off,
+/// what nothing carries from below, and bare level faces wider than a span in both directions.
+///
+/// Faces are divided evenly into samples of at most 1 mm², none longer than the distance (more on
+/// surfaces beyond 2 m²); that of each sample's centroid from the strands is exact. A strand covers what is within its own diameter,
+/// so both sides of a wall that is thinner. Shells are looked into only where something is bare.
 #[must_use]
-pub fn coverage(mesh: &Mesh, strands: &[[DVec3; 2]], within: f64) -> Coverage {
-    let (low, high) = mesh.bounds();
-    let area = mesh.area();
-    if area <= 0.0 {
-        return Coverage { share: 1.0, uncovered: Vec::new() };
+pub fn coverage(mesh: &Mesh, strands: &[[DVec3; 2]], terms: &Terms) -> Coverage {
+    let whole = mesh.area();
+    if whole <= 0.0 {
+        return Coverage { share: 1.0, ..Coverage::default() };
     }
-    let near = Segments::new(strands, low, high, within);
-    let sample_area = SAMPLE_MM2.max(area / MOST_SAMPLES);
-    let bare: Vec<(u32, Patch)> = (0..mesh.faces.len().div_ceil(BATCH))
-        .into_par_iter()
-        .flat_map_iter(|batch| {
-            let faces = batch * BATCH..mesh.faces.len().min((batch + 1) * BATCH);
-            let mut guess = None;
-            let near = &near;
-            faces.filter_map(move |face| {
-                bare_part(mesh, face, sample_area, near, &mut guess).map(|p| (face as u32, p))
+    let within = terms.within.max(terms.strand);
+    let survey = Survey { mesh, pitch: Pitch::of(mesh, whole, within), off: terms.strand / 2.0 };
+    let left_out = LeftOut::new(&survey, terms);
+    let mut bare = survey.bare(strands, within);
+    bare.retain(|&sample| !left_out.has(&survey, sample));
+    let area = survey.shown(&mut bare, &left_out, whole);
+    let (mut uncovered, mut wide) = (Vec::new(), 0.0);
+    for (patch, sample) in patches(mesh, survey.pitch, &bare) {
+        if left_out.is_wide(&survey, &patch, sample) {
+            wide += patch.area;
+        } else {
+            uncovered.push(patch);
+        }
+    }
+    let missing: f64 = uncovered.iter().map(|patch| patch.area).sum();
+    let area = (area - wide).max(0.0);
+    let share = if area > 0.0 { (1.0 - missing / area).max(0.0) } else { 1.0 };
+    Coverage { share, area, uncovered }
+}
+
+/// A mesh with the samples on it.
+pub(super) struct Survey<'a> {
+    pub mesh: &'a Mesh,
+    pitch: Pitch,
+    /// Distance from the surface at which a sample must be outside, mm.
+    off: f64,
+}
+
+impl Survey<'_> {
+    pub(super) fn samples(&self, face: usize) -> Samples {
+        self.pitch.samples(self.mesh.corners(face))
+    }
+
+    /// Where a sample is, mm.
+    pub(super) fn point(&self, sample: Bare) -> DVec3 {
+        self.samples(sample.face as usize).point(sample.number)
+    }
+
+    /// The places just off a face's samples.
+    pub(super) fn probes(&self, face: usize) -> impl Fn(DVec3) -> Probe {
+        let [a, b, c] = self.mesh.corners(face);
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        let (axis, off) = (normal.abs().max_position(), normal * self.off);
+        move |p| Probe { at: p + off, axis }
+    }
+
+    /// The samples that no strand is near to.
+    fn bare(&self, strands: &[[DVec3; 2]], within: f64) -> Vec<Bare> {
+        let (low, high) = self.mesh.bounds();
+        let near = Segments::new(strands, low, high, within);
+        let count = self.mesh.faces.len();
+        (0..count.div_ceil(BATCH))
+            .into_par_iter()
+            .flat_map_iter(|batch| {
+                let mut guess = None;
+                let mut bare = Vec::new();
+                for face in batch * BATCH..count.min((batch + 1) * BATCH) {
+                    let samples = self.samples(face);
+                    for (number, p) in (0..).zip(samples.points()) {
+                        let found = near.near(p, guess);
+                        guess = found.or(guess);
+                        if found.is_none() && samples.share > 0.0 {
+                            bare.push(Bare { face: face as u32, number });
+                        }
+                    }
+                }
+                bare
             })
-        })
-        .collect();
-    let missing: f64 = bare.iter().map(|(_, part)| part.area).sum();
-    Coverage { share: (1.0 - missing / area).max(0.0), uncovered: patches(mesh, &bare) }
-}
+            .collect()
+    }
 
-/// What of a face no strand is near to.
-fn bare_part(
-    mesh: &Mesh,
-    face: usize,
-    sample_area: f64,
-    near: &Segments<'_>,
-    guess: &mut Option<u32>,
-) -> Option<Patch> {
-    let corners = mesh.corners(face);
-    let area = triangle::area(corners);
-    let cuts = (area / sample_area).sqrt().ceil().max(1.0);
-    let share = area / (cuts * cuts);
-    let mut bare: Option<Patch> = None;
-    for p in triangle::samples(corners, cuts as u32) {
-        let found = near.near(p, *guess);
-        *guess = found.or(*guess);
-        if found.is_none() && share > 0.0 {
-            let sample = Patch { area: share, centroid: p, low: p, high: p };
-            bare = Some(bare.map_or(sample, |bare| bare.join(&sample)));
+    /// Takes out the bare samples that shells enclose, and returns the area that counts, mm².
+    ///
+    /// Where shells enclose no bare sample, what they enclose of the rest is taken to be none.
+    fn shown(&self, bare: &mut Vec<Bare>, left_out: &LeftOut, whole: f64) -> f64 {
+        if bare.is_empty() {
+            return left_out.counted(self, whole);
         }
-    }
-    bare
-}
-
-impl Patch {
-    fn join(&self, other: &Self) -> Self {
-        let area = self.area + other.area;
-        Self {
-            area,
-            centroid: self.centroid.lerp(other.centroid, other.area / area),
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
+        let shells = Shells::new(self.mesh);
+        let before = bare.len();
+        let probe = |&sample: &Bare| self.probes(sample.face as usize)(self.point(sample));
+        let mut kept = Vec::with_capacity(before);
+        for some in bare.chunks(AT_ONCE) {
+            let probes: Vec<Probe> = some.par_iter().map(probe).collect();
+            let enclosed = shells.enclose(&probes);
+            let outer = some.iter().zip(enclosed).filter(|(_, enclosed)| !enclosed);
+            kept.extend(outer.map(|(&sample, _)| sample));
         }
+        *bare = kept;
+        if bare.len() == before {
+            return left_out.counted(self, whole);
+        }
+        self.outer_area(&shells, left_out, whole)
     }
-}
 
-/// Joins the bare parts of neighbouring faces.
-fn patches(mesh: &Mesh, bare: &[(u32, Patch)]) -> Vec<Patch> {
-    let mut part_of = vec![NO_FACE; mesh.faces.len()];
-    for (part, (face, _)) in (0_u32..).zip(bare) {
-        part_of[*face as usize] = part;
-    }
-    let mut found = Vec::new();
-    let mut stack = Vec::new();
-    for (face, _) in bare {
-        let mut patch: Option<Patch> = None;
-        stack.push(*face);
-        while let Some(face) = stack.pop() {
-            let part = std::mem::replace(&mut part_of[face as usize], NO_FACE);
-            if part == NO_FACE {
-                continue;
+    /// Area of what counts and no shell encloses, mm², by probes that stand for equal areas.
+    fn outer_area(&self, shells: &Shells<'_>, left_out: &LeftOut, whole: f64) -> f64 {
+        let step = whole / PROBES;
+        let (mut passed, mut next) = (0.0, step / 2.0);
+        let mut probes = Vec::new();
+        for face in 0..self.mesh.faces.len() {
+            let (samples, probe) = (self.samples(face), self.probes(face));
+            for number in 0..samples.count() {
+                passed += samples.share;
+                if passed > next {
+                    let times = ((passed - next) / step).ceil();
+                    next += times * step;
+                    if !left_out.has(self, Bare { face: face as u32, number }) {
+                        probes.push((probe(samples.point(number)), times));
+                    }
+                }
             }
-            let own = &bare[part as usize].1;
-            patch = Some(patch.map_or(*own, |patch| patch.join(own)));
-            let beside = mesh.neighbours[face as usize];
-            stack.extend(beside.into_iter().filter(|&face| face != NO_FACE));
         }
-        found.extend(patch);
+        let enclosed = shells.enclose(&probes.iter().map(|(probe, _)| *probe).collect::<Vec<_>>());
+        let outer = probes.iter().zip(enclosed).filter(|(_, enclosed)| !enclosed);
+        step * outer.map(|((_, times), _)| times).sum::<f64>()
     }
-    found.sort_by(|a, b| b.area.total_cmp(&a.area));
-    found
 }

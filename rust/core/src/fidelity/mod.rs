@@ -1,15 +1,22 @@
 //! How faithful a print is to its model (rule 6): coverage and deviation.
 //!
-//! **Coverage** is the share of the model's surface that lies within a stated distance of a strand;
-//! **deviation** is the distance of the strands from the surface. Surface and strands are sampled
+//! **Coverage** is the share of the model's outer surface that lies within a stated distance of a
+//! strand; **deviation** is the distance of the strands from the surface. Surface and strands are sampled
 //! on fixed patterns; the distances themselves are exact.
 
+mod columns;
 mod coverage;
 mod deviation;
+mod hanging;
+mod left_out;
 mod nearest;
+mod patches;
+mod samples;
 mod segments;
+mod shells;
 mod triangle;
 mod triangles;
 
-pub use coverage::{Coverage, Patch, coverage};
+pub use coverage::{Coverage, Terms, coverage};
 pub use deviation::{Deviation, Surface};
+pub use patches::Patch;

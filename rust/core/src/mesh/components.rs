@@ -93,8 +93,8 @@ impl Bodies {
     }
 }
 
-/// The body of each face and the number of bodies.
-fn labels(neighbours: &[[u32; 3]]) -> (Vec<u32>, usize) {
+/// The body of each face and the number of bodies, in the order of their first faces.
+pub(crate) fn labels(neighbours: &[[u32; 3]]) -> (Vec<u32>, usize) {
     let sets = UnionFind::new(neighbours.len());
     neighbours.par_iter().enumerate().for_each(|(f, edges)| {
         for &g in edges {

@@ -20,6 +20,7 @@ mod surface;
 pub mod topology;
 pub mod weld;
 
+pub(crate) use components::labels as shells;
 pub use indexed::Mesh;
 pub use prepare::prepare;
 pub use topology::NO_FACE;
