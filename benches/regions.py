@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 
 import shared_models
 from wireprint import examples
-from wireprint.gcode.flavors import KINDS
+from wireprint._core import KINDS
 from wireprint.hybrid.cut import Cut, Samples
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make

@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from wireprint._core import GcodeError, SettingError, Toolpath
+from wireprint._core import KINDS, GcodeError, SettingError, Toolpath
 from wireprint.gcode import document
-from wireprint.gcode.flavors import FLAVORS, KINDS
+from wireprint.gcode.flavors import FLAVORS
 from wireprint.settings import Settings
 
 DATE = datetime(2026, 11, 21, 23, 5, 9, tzinfo=UTC)

@@ -8,8 +8,7 @@ from scipy.spatial import cKDTree
 
 from test_random_models import BALL, blob, tower
 from wireprint import examples
-from wireprint._core import Mesh
-from wireprint.gcode.flavors import KINDS
+from wireprint._core import KINDS, Mesh
 from wireprint.hybrid.motion import motion
 from wireprint.layerwise.areas import areas
 from wireprint.layerwise.printing import layered

@@ -6,7 +6,7 @@ import shapely
 
 import wireprint
 from wireprint import examples
-from wireprint.gcode.flavors import KINDS
+from wireprint._core import KINDS
 from wireprint.layerwise import areas, chains, edges, frame, struts, threads
 from wireprint.layerwise.hatch import hatched
 from wireprint.layerwise.lines import Lines

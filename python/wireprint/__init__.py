@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from wireprint._core import (
+        KINDS,
         FaultError,
         GcodeError,
         MemoryLimitError,
@@ -34,7 +35,6 @@ if TYPE_CHECKING:
     )
     from wireprint.certificate import Certificate, check
     from wireprint.comparison import Comparison, Condition, compare
-    from wireprint.gcode.flavors import KINDS
     from wireprint.mesh import load_mesh
     from wireprint.model import Model, load_model
     from wireprint.orientation import Orientation, orient
@@ -81,7 +81,7 @@ __all__ = [
 ]
 
 _HOMES = {
-    "KINDS": "wireprint.gcode.flavors",
+    "KINDS": "wireprint._core",
     "Certificate": "wireprint.certificate",
     "Comparison": "wireprint.comparison",
     "Condition": "wireprint.comparison",

@@ -12,6 +12,7 @@ from wireprint.limits import MotionTable
 __all__ = [
     "FORMATS",
     "HOLE_PERIMETER",
+    "KINDS",
     "MOST_DIGITS",
     "MOST_TRIANGLES",
     "MOST_VERTICES",
@@ -62,6 +63,7 @@ class MemoryLimitError(WireprintError): ...
 class FaultError(WireprintError): ...
 
 FORMATS: tuple[str, ...]
+KINDS: tuple[str, ...]
 HOLE_PERIMETER: float
 MOST_DIGITS: int
 MOST_TRIANGLES: int
@@ -400,7 +402,6 @@ def format_moves(
     layer: str,
     retract: str,
     unretract: str,
-    labels: list[str],
 ) -> bytes: ...
 def insert_progress(text: bytes, estimate: Estimate, template: str) -> bytes: ...
 

@@ -152,7 +152,7 @@ def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
     toolpath, settings
         See `wireprint.pipeline.to_gcode`.
     """
-    from wireprint.gcode.flavors import KINDS
+    from wireprint._core import KINDS
 
     diameter_mm = settings.printer.extruder.filament_diameter_mm
     return Strands.from_toolpath(toolpath, KINDS, diameter_mm)

@@ -24,7 +24,7 @@ from wireprint._core import (
     format_moves,
     insert_progress,
 )
-from wireprint.gcode.flavors import FLAVORS, LAYER, labels
+from wireprint.gcode.flavors import FLAVORS, LAYER
 from wireprint.timing import Filament
 
 if TYPE_CHECKING:
@@ -129,7 +129,6 @@ def moves(toolpath: Toolpath, settings: Settings) -> bytes:
         layer=LAYER,
         retract=flavor.retract if gcode.firmware_retraction else "",
         unretract=flavor.unretract if gcode.firmware_retraction else "",
-        labels=labels(),
     )
 
 

@@ -14,25 +14,6 @@ from typing import TYPE_CHECKING, Final
 if TYPE_CHECKING:
     from wireprint.settings import Cooling
 
-#: Name of each kind of move, by its code in the ``kind`` arrays.
-KINDS: Final = (
-    "travel",
-    "contour",
-    "post",
-    "diagonal",
-    "cap",
-    "layer-wise",
-    "support",
-    "skirt",
-    "brim",
-    "retract",
-    "unretract",
-    "layer-fill",
-)
-
-#: Kinds without a ``;TYPE:`` label of their own.
-_UNLABELLED = frozenset({"travel", "retract", "unretract"})
-
 #: What viewers read at a change of layer, in PrusaSlicer's form.
 LAYER: Final = (
     ";LAYER_CHANGE\n;Z:{z}\n;HEIGHT:{height}\n;BEFORE_LAYER_CHANGE\n;{z}\n;AFTER_LAYER_CHANGE\n"
@@ -87,8 +68,3 @@ FLAVORS: Final[dict[str, Flavor]] = {
         valve_off="SET_PIN PIN={output} VALUE=0\n",
     ),
 }
-
-
-def labels() -> list[str]:
-    """Return the ``;TYPE:`` line of each kind, by its code; empty where it has none."""
-    return ["" if kind in _UNLABELLED else f";TYPE:{kind.upper()}\n" for kind in KINDS]

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from wireprint._core import KINDS
 from wireprint.certificate import check
 from wireprint.gcode import document
-from wireprint.gcode.flavors import KINDS
 from wireprint.hybrid.plan import Plan
 from wireprint.stages import toolpath, wireframe
 

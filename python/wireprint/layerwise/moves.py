@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from wireprint import _core
-from wireprint.gcode.flavors import KINDS
+from wireprint._core import KINDS
 
 if TYPE_CHECKING:
     import numpy.typing as npt

@@ -32,7 +32,44 @@ pub enum Kind {
     LayerFill = 11,
 }
 
+/// A row of the table of kinds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct KindRow {
+    /// The kind; its code is the row's index.
+    pub kind: Kind,
+    /// What users call it.
+    pub name: &'static str,
+    /// What follows `;TYPE:` in G-code; empty for moves that viewers know by themselves.
+    pub type_word: &'static str,
+}
+
+/// All kinds, by their codes: the one table that names them.
+pub const KINDS: [KindRow; 12] = [
+    row(Kind::Travel, "travel", ""),
+    row(Kind::Contour, "contour", "CONTOUR"),
+    row(Kind::Post, "post", "POST"),
+    row(Kind::Diagonal, "diagonal", "DIAGONAL"),
+    row(Kind::Cap, "cap", "CAP"),
+    row(Kind::LayerWise, "layer-wise", "LAYER-WISE"),
+    row(Kind::Support, "support", "SUPPORT"),
+    row(Kind::Skirt, "skirt", "SKIRT"),
+    row(Kind::Brim, "brim", "BRIM"),
+    row(Kind::Retract, "retract", ""),
+    row(Kind::Unretract, "unretract", ""),
+    row(Kind::LayerFill, "layer-fill", "LAYER-FILL"),
+];
+
+const fn row(kind: Kind, name: &'static str, type_word: &'static str) -> KindRow {
+    KindRow { kind, name, type_word }
+}
+
 impl Kind {
+    /// The kind with this code.
+    #[must_use]
+    pub fn of_code(code: u8) -> Option<Self> {
+        KINDS.get(usize::from(code)).map(|row| row.kind)
+    }
+
     /// Whether it is part of a stacked layer.
     #[must_use]
     pub fn is_layered(self) -> bool {
@@ -64,5 +101,28 @@ impl Strand {
     #[must_use]
     pub fn slab_rises(&self) -> bool {
         matches!(self.kind, Kind::Post | Kind::Diagonal | Kind::Support)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_stands_in_the_order_of_codes() {
+        for (code, row) in (0_u8..).zip(&KINDS) {
+            assert_eq!(row.kind as u8, code);
+            assert_eq!(Kind::of_code(code), Some(row.kind));
+        }
+        assert_eq!(Kind::of_code(KINDS.len() as u8), None);
+    }
+
+    #[test]
+    fn no_two_kinds_share_a_name_or_a_type_word() {
+        for (i, row) in KINDS.iter().enumerate() {
+            let others = || KINDS[..i].iter();
+            assert!(others().all(|other| other.name != row.name));
+            assert!(row.type_word.is_empty() || others().all(|o| o.type_word != row.type_word));
+        }
     }
 }

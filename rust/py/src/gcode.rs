@@ -13,7 +13,7 @@ use crate::toolpath::Toolpath;
 /// The lines of a toolpath's moves; every command that depends on the firmware comes as text.
 #[pyfunction]
 #[pyo3(signature = (
-    toolpath, *, relative_extrusion, dwell, air_on, air_off, layer, retract, unretract, labels
+    toolpath, *, relative_extrusion, dwell, air_on, air_off, layer, retract, unretract
 ))]
 #[expect(clippy::too_many_arguments, reason = "one for each command, by keyword only")]
 pub fn format_moves<'py>(
@@ -26,7 +26,6 @@ pub fn format_moves<'py>(
     layer: &str,
     retract: String,
     unretract: String,
-    labels: Vec<String>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let dialect = Dialect {
         relative_extrusion,
@@ -36,7 +35,6 @@ pub fn format_moves<'py>(
         layer: Template::new(layer, &Dialect::LAYER_FIELDS).map_err(to_py)?,
         retract,
         unretract,
-        labels,
     };
     let text = detached(py, || lines::write(toolpath.core(), &dialect))?;
     Ok(PyBytes::new(py, &text))

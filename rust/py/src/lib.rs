@@ -44,6 +44,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         super::errors::register(module)?;
         module.add("FORMATS", pyo3::types::PyTuple::new(module.py(), super::mesh::formats())?)?;
+        module.add("KINDS", super::toolpath::kind_names(module.py())?)?;
         module.add("HOLE_PERIMETER", super::mesh::HOLE_PERIMETER)?;
         module.add("WELD_DISTANCE", super::mesh::WELD_DISTANCE)?;
         module.add("MOST_TRIANGLES", super::threemf::MOST_TRIANGLES)?;

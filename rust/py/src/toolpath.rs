@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use wireprint_core::strand::Kind;
+use pyo3::types::{PyDict, PyTuple};
+use wireprint_core::strand::{KINDS, Kind};
 use wireprint_core::toolpath as core;
 
 use wireprint_core::toolpath::{Cooling, PathParams, Plate, Strategy};
@@ -12,22 +12,6 @@ use wireprint_core::toolpath::{Cooling, PathParams, Plate, Strategy};
 use crate::arrays;
 use crate::errors::{SettingError, detached};
 use crate::wireframe::Wireframe;
-
-/// Every kind at the index of its code.
-const KINDS: [Kind; 12] = [
-    Kind::Travel,
-    Kind::Contour,
-    Kind::Post,
-    Kind::Diagonal,
-    Kind::Cap,
-    Kind::LayerWise,
-    Kind::Support,
-    Kind::Skirt,
-    Kind::Brim,
-    Kind::Retract,
-    Kind::Unretract,
-    Kind::LayerFill,
-];
 
 /// Every move of the head, in order; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
@@ -246,7 +230,12 @@ impl Toolpath {
 }
 
 fn kind_of(code: u8) -> PyResult<Kind> {
-    KINDS.get(usize::from(code)).copied().ok_or_else(|| {
+    Kind::of_code(code).ok_or_else(|| {
         SettingError::new_err(format!("kind holds {code}; the codes are 0 to {}", KINDS.len() - 1))
     })
+}
+
+/// Name of each kind of move, by its code, for users' `kind` arrays.
+pub fn kind_names(py: Python<'_>) -> PyResult<Bound<'_, PyTuple>> {
+    PyTuple::new(py, KINDS.iter().map(|row| row.name))
 }

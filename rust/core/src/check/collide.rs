@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 use rayon::prelude::*;
 
 use super::deposit::Deposit;
-use super::{Collision, Obstacle, Rules};
+use super::rules::Rules;
+use super::verdict::{Collision, Obstacle};
 use crate::gcode::machine::Step;
 use crate::head::Hit;
 

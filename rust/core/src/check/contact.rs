@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::Rules;
 use super::deposit::Deposit;
+use super::rules::Rules;
 
 /// Coordinates in G-code are rounded, usually to a thousandth of a millimetre; both strands of a
 /// contact may be off by half of that along each axis.

@@ -2,9 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::bounds::Bed;
 use super::chain;
 use super::grid::Grid;
+use super::rules::Bed;
 use crate::gcode::machine::Step;
 
 /// Shorter strokes than this are blobs, mm: a thousandth of what G-code resolves.

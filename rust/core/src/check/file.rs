@@ -1,6 +1,8 @@
 //! From a G-code text to its certificate.
 
-use super::{Certificate, Rules, certify};
+use super::judge::certify;
+use super::rules::Rules;
+use super::verdict::Certificate;
 use crate::gcode::machine::{Event, Machine, MachineSettings, Step};
 use crate::gcode::reader::Commands;
 

@@ -12,8 +12,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::contact;
 use super::deposit::Deposit;
-use super::{LooseEnd, Relaxed, Rules, Span, contact};
+use super::rules::Rules;
+use super::verdict::{LooseEnd, Relaxed, Span};
 
 /// Strands that one task tests.
 const BATCH: usize = 64;

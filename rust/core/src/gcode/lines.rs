@@ -7,7 +7,7 @@
 use super::fixed;
 use super::template::Template;
 use crate::error::{CoreError, Result};
-use crate::strand::Kind;
+use crate::strand::{KINDS, Kind};
 use crate::toolpath::Toolpath;
 
 /// Decimals of X, Y and Z, of seconds in thousandths, and of `{z}` and `{height}`.
@@ -36,8 +36,6 @@ pub struct Dialect {
     pub retract: String,
     /// Pushes it forward again.
     pub unretract: String,
-    /// Announces a kind of strand; by the code of [`Kind`], empty where none is announced.
-    pub labels: Vec<String>,
 }
 
 impl Dialect {
@@ -45,10 +43,6 @@ impl Dialect {
     pub const DWELL_FIELDS: [&str; 1] = ["ms"];
     /// The fields of [`Dialect::layer`].
     pub const LAYER_FIELDS: [&str; 2] = ["z", "height"];
-
-    fn label(&self, kind: Kind) -> &str {
-        self.labels.get(kind as usize).map_or("", String::as_str)
-    }
 }
 
 /// The lines of all moves.
@@ -136,7 +130,8 @@ struct Writer<'a> {
     out: Vec<u8>,
     at: Option<[i64; 3]>,
     feedrate: Option<i64>,
-    label: &'a str,
+    /// What the last `;TYPE:` said.
+    type_word: &'static str,
     air: bool,
     /// Filament fed so far, mm, and as it was written, in units of E's last decimal.
     fed: f64,
@@ -150,7 +145,7 @@ impl<'a> Writer<'a> {
             out: Vec::with_capacity(moves * USUAL_LINE),
             at: None,
             feedrate: None,
-            label: "",
+            type_word: "",
             air: false,
             fed: 0.0,
             fed_units: 0,
@@ -176,10 +171,12 @@ impl<'a> Writer<'a> {
     }
 
     fn announce(&mut self, kind: Kind) {
-        let label = self.dialect.label(kind);
-        if !label.is_empty() && label != self.label {
-            self.out.extend_from_slice(label.as_bytes());
-            self.label = label;
+        let word = KINDS.get(kind as usize).map_or("", |row| row.type_word);
+        if !word.is_empty() && word != self.type_word {
+            self.out.extend_from_slice(b";TYPE:");
+            self.out.extend_from_slice(word.as_bytes());
+            self.out.push(b'\n');
+            self.type_word = word;
         }
     }
 
@@ -238,16 +235,12 @@ mod tests {
     use super::*;
 
     fn dialect() -> Dialect {
-        let mut labels = vec![String::new(); 11];
-        labels[Kind::Contour as usize] = ";TYPE:CONTOUR\n".into();
-        labels[Kind::Post as usize] = ";TYPE:POST\n".into();
         Dialect {
             relative_extrusion: true,
             dwell: Template::new("G4 P{ms}\n", &Dialect::DWELL_FIELDS).unwrap(),
             air_on: "AIR ON\n".into(),
             air_off: "AIR OFF\n".into(),
             layer: Template::new(";Z:{z} {height}\n", &Dialect::LAYER_FIELDS).unwrap(),
-            labels,
             ..Dialect::default()
         }
     }

@@ -1,0 +1,73 @@
+//! What a file is judged by.
+
+use glam::{DVec2, DVec3};
+
+use crate::head::Head;
+
+/// The bed's outline and the height of the build volume.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bed {
+    /// Centre of the bed, mm.
+    pub centre: DVec2,
+    /// Half of its extent along x and y, mm.
+    pub half: DVec2,
+    /// Whether it is the ellipse in that rectangle.
+    pub round: bool,
+    /// Greatest height of the tip, mm.
+    pub height: f64,
+}
+
+/// Limits of machine and firmware; infinite where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Greatest feed, mm/s.
+    pub feed: f64,
+    /// What the hot end melts, mm³/s.
+    pub flow: f64,
+    /// Most filament moved by one command while the tip stands still, mm.
+    pub filament_only: f64,
+    /// Cross-section of the filament, mm².
+    pub filament_area: f64,
+}
+
+impl Bed {
+    /// How far a point lies outside the build volume, mm; 0 inside. Depth below the bed does not
+    /// count: that is a collision.
+    pub(super) fn outside(&self, p: DVec3) -> f64 {
+        let offset = p.truncate() - self.centre;
+        let beside = if self.round {
+            let scaled = (offset / self.half).length();
+            offset.length() * (1.0 - 1.0 / scaled.max(1.0))
+        } else {
+            (offset.abs() - self.half).max_element()
+        };
+        beside.max(p.z - self.height).max(0.0)
+    }
+}
+
+/// What the file is judged by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rules {
+    /// The head that moves.
+    pub head: Head,
+    /// Diameter of a free strand, mm.
+    pub strand: f64,
+    /// A strand printed with the tip at or below this height lies on the bed, mm.
+    pub bed_contact: f64,
+    /// Longest stretch held at both ends, mm.
+    pub span_limit: f64,
+    /// Longest stretch held at one end, mm.
+    pub free_end_limit: f64,
+    /// The bed and the height above it.
+    pub bed: Bed,
+    /// What machine and firmware allow.
+    pub limits: Limits,
+}
+
+impl Rules {
+    /// How far material may reach into the head, mm: the squash of a joint.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.strand / 2.0
+    }
+}
