@@ -2,6 +2,7 @@
 
 import argparse
 import os
+from dataclasses import replace
 from pathlib import Path
 
 from wireprint.bench.local import Processes, cores
@@ -14,6 +15,38 @@ REPOSITORY = Path(__file__).parents[1]
 SHARED = Path(os.environ.get("WIREPRINT_SHARED", REPOSITORY.parent / "shared"))
 #: Some models are larger than the Kossel Mini's bed; only the bed grows for them, not the head.
 ROOMY = ("bed.diameter_mm=400", "bed.height_mm=400", "motion.print_radius=200")
+#: The least that a bed measures which has room for every shared model, mm.
+ROOM_MM = 400.0
+
+
+def roomy(machine):
+    """Settings of a "printer/material" on a bed with room for every shared model."""
+    settings = Settings.load(*machine.split("/"))
+    bed, motion = settings.printer.bed, settings.printer.motion
+    sizes = [name for name, value in bed if name.endswith("_mm") and value is not None]
+    wide = {f"bed.{name}": max(ROOM_MM, getattr(bed, name)) for name in sizes}
+    if motion.print_radius is not None:
+        wide["motion.print_radius"] = max(ROOM_MM / 2, motion.print_radius)
+    overrides = [f"{name}={value}" for name, value in wide.items()]
+    return Settings.load(*machine.split("/"), overrides=overrides)
+
+
+def on_each(machines, models, evaluate, jobs, only=""):
+    """Evaluate models (see `plan`) on printers; yield printer, model and row as they come.
+
+    `only`: those whose file's name has this text.
+    """
+    tasks, of = [], {}
+    for machine in machines:
+        settings = roomy(machine).model_dump(mode="json")
+        for task in plan(models, Placement(), {}):
+            if only not in Path(task.model).name:
+                continue
+            of[len(tasks)] = machine
+            tasks.append(replace(task, index=len(tasks), settings=settings))
+    with Processes(Job(Settings.load().model_dump(mode="json"), evaluate), jobs) as pool:
+        for task, row in rows(tasks, pool):
+            yield of[task.index], Path(task.model).name, row
 
 
 def arguments(description, target):
