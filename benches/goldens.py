@@ -18,8 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import shared_models
-from wireprint import examples
-from wireprint.gcode.flavors import KINDS
+from wireprint import KINDS, examples
 from wireprint.pipeline import make
 
 FOLDER = Path(__file__).parent / "goldens"
