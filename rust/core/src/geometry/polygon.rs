@@ -44,6 +44,11 @@ pub fn contains(points: &[DVec2], p: DVec2) -> bool {
     inside
 }
 
+/// Whether a point lies within an odd number of closed rings.
+pub fn is_within<'a>(rings: impl IntoIterator<Item = &'a [DVec2]>, p: DVec2) -> bool {
+    rings.into_iter().filter(|ring| contains(ring, p)).count() % 2 == 1
+}
+
 /// The convex hull of points, counter-clockwise (Andrew's monotone chain).
 #[must_use]
 pub fn convex_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {

@@ -36,11 +36,14 @@ pub struct Feature {
     pub kind: FeatureKind,
     /// Size of the feature, mm: its persistence, or the square root of its horizontal area.
     pub size: f64,
+    /// Mean width of horizontal faces, mm: twice their area over the length of their edges. 0 for
+    /// all other features.
+    pub width: f64,
 }
 
 impl Feature {
     fn at(z: f64, kind: FeatureKind, size: f64) -> Self {
-        Self { low: z, high: z, kind, size }
+        Self { low: z, high: z, kind, size, width: 0.0 }
     }
 }
 
@@ -236,26 +239,53 @@ fn saddles(mesh: &Mesh, order: &Order) -> Vec<u32> {
     multiplicities
 }
 
+/// Horizontal faces that lie at one height.
+#[derive(Clone, Copy)]
+struct Level {
+    /// Area, mm².
+    area: f64,
+    /// Length of the edges beyond which the surface is not horizontal, mm.
+    edges: f64,
+    /// Lowest and highest corner, mm.
+    low: f64,
+    high: f64,
+}
+
 /// Heights of horizontal faces whose area comes to at least `least` mm².
 fn flats(mesh: &Mesh, least: f64) -> Vec<Feature> {
-    // Area, lowest and highest corner by rounded height; ordered, so that the outcome is too.
-    let mut by_height: BTreeMap<i64, (f64, f64, f64)> = BTreeMap::new();
-    for face in &mesh.faces {
-        let [a, b, c] = face.map(|v| mesh.vertices[v as usize]);
-        let double = (b - a).cross(c - a);
-        let square = double.length_squared();
-        if square > 0.0 && double.z * double.z >= HORIZONTAL * HORIZONTAL * square {
-            let area = square.sqrt() * 0.5;
-            let key = ((a.z + b.z + c.z) / (3.0 * FLAT_STEP)).round() as i64;
-            let sum = by_height.entry(key).or_insert((0.0, f64::INFINITY, f64::NEG_INFINITY));
-            sum.0 += area;
-            sum.1 = sum.1.min(a.z.min(b.z).min(c.z));
-            sum.2 = sum.2.max(a.z.max(b.z).max(c.z));
+    // By rounded height; ordered, so that the outcome is too.
+    let mut by_height: BTreeMap<i64, Level> = BTreeMap::new();
+    for face in 0..mesh.faces.len() {
+        let Some(area) = horizontal_area(mesh, face) else { continue };
+        let corners = mesh.corners(face);
+        let z = corners.map(|corner| corner.z);
+        let key = ((z[0] + z[1] + z[2]) / (3.0 * FLAT_STEP)).round() as i64;
+        let none = Level { area: 0.0, edges: 0.0, low: f64::INFINITY, high: f64::NEG_INFINITY };
+        let level = by_height.entry(key).or_insert(none);
+        level.area += area;
+        level.low = level.low.min(z[0].min(z[1]).min(z[2]));
+        level.high = level.high.max(z[0].max(z[1]).max(z[2]));
+        for (side, &beyond) in mesh.neighbours[face].iter().enumerate() {
+            if beyond == NO_FACE || horizontal_area(mesh, beyond as usize).is_none() {
+                level.edges += corners[side].distance(corners[(side + 1) % 3]);
+            }
         }
     }
-    by_height
-        .into_values()
-        .filter(|flat| flat.0 >= least)
-        .map(|(area, low, high)| Feature { low, high, kind: FeatureKind::Flat, size: area.sqrt() })
-        .collect()
+    let feature = |flat: Level| Feature {
+        low: flat.low,
+        high: flat.high,
+        kind: FeatureKind::Flat,
+        size: flat.area.sqrt(),
+        width: 2.0 * flat.area / flat.edges.max(f64::MIN_POSITIVE),
+    };
+    by_height.into_values().filter(|flat| flat.area >= least).map(feature).collect()
+}
+
+/// Area of a face, mm², if it is horizontal.
+fn horizontal_area(mesh: &Mesh, face: usize) -> Option<f64> {
+    let [a, b, c] = mesh.corners(face);
+    let double = (b - a).cross(c - a);
+    let square = double.length_squared();
+    let flat = square > 0.0 && double.z * double.z >= HORIZONTAL * HORIZONTAL * square;
+    flat.then(|| square.sqrt() * 0.5)
 }

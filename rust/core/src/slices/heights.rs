@@ -37,7 +37,7 @@ pub struct HeightParams {
 }
 
 /// A height at which contours are printed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     /// Printed height, mm.
     pub z: f64,
@@ -45,6 +45,16 @@ pub struct Level {
     pub low: f64,
     /// The contours that begin the slab above are cut here, from above.
     pub high: f64,
+    /// Between any two features that the level holds, ascending, mm: what is printed here is a stack
+    /// of slices. The first of the lowest level is what lies on the bed.
+    pub between: Vec<f64>,
+}
+
+impl Level {
+    /// A level that holds nothing but its own height.
+    fn at(z: f64) -> Self {
+        Self { z, low: z, high: z, between: Vec::new() }
+    }
 }
 
 /// Candidate heights lie about this far apart, mm …
@@ -68,11 +78,21 @@ const LOW_FINE: f64 = 1e4;
 const FEW: usize = 32;
 /// Slabs lower than this part of the least height are never made.
 const LOWEST: f64 = 0.2;
+/// A level takes in the features within this part of the least height of a slab …
+const REACH: f64 = 0.5;
+/// … and wide horizontal faces and high ends that none takes in are lost: a fine, in seconds, as
+/// grave as a low slab's.
+const LOST_FINE: f64 = 1e4;
+/// Faces wider than this part of the longest free end are wide, and ends higher than it are high.
+const WIDE: f64 = 0.2;
+/// Faces within this part of the first contour's height lie on the bed.
+const ON_BED: f64 = 0.1;
 
 /// Chooses the levels of `mesh`, bottom up.
 ///
 /// A model lower than a slab gets one level or two. Features that no level can hold because
-/// another is nearer than the least slab widen that level's range from `low` to `high`.
+/// another is nearer than the least slab widen that level's range from `low` to `high`; what lies
+/// between two of them is cut as well.
 #[must_use]
 pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Level> {
     let Some((bottom, top)) = extent(mesh) else { return Vec::new() };
@@ -83,10 +103,10 @@ pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Lev
     let last = wanted.iter().map(|w| w.low).fold(first, f64::max);
     let candidates = candidates(&wanted, first, last, params);
     let chain = cheapest_chain(mesh, head, params, &candidates, &wanted);
-    let mut levels: Vec<Level> = chain.into_iter().map(|z| Level { z, low: z, high: z }).collect();
+    let mut levels: Vec<Level> = chain.into_iter().map(Level::at).collect();
     // A model lower than a slab is its first contour, wherever the features above it lie.
     if levels.len() > 1 {
-        widen(&mut levels, &wanted, params.slab_min * 0.5);
+        widen(&mut levels, &wanted, bottom, REACH * params.slab_min);
     }
     levels
 }
@@ -104,9 +124,14 @@ struct Wanted {
     low: f64,
     high: f64,
     size: f64,
+    /// Whether horizontal faces lie here so wide that nothing beside them covers them.
+    wide: bool,
+    /// Whether a part of the surface begins here, and whether one ends.
+    begins: bool,
+    ends: bool,
 }
 
-/// The features above the first contour. A round top or bottom has no contour at its very height,
+/// The features above the first contour, and the faces above the bed. A round top or bottom has no contour at its very height,
 /// so it is cut half a strand inside, where the strand's own surface touches the model's.
 fn wanted_heights(mesh: &Mesh, bottom: f64, top: f64, p: &HeightParams) -> Vec<Wanted> {
     let found = features(mesh, p.slab_min);
@@ -119,15 +144,23 @@ fn wanted_heights(mesh: &Mesh, bottom: f64, top: f64, p: &HeightParams) -> Vec<W
         FeatureKind::Minimum if !flat_at(f.low) => 0.5 * p.strand,
         _ => 0.0,
     };
-    let least = bottom + p.first_layer;
+    let least = |wide: bool| bottom + p.first_layer * if wide { ON_BED } else { 1.0 };
     let limit = LARGEST * p.slab_max;
     let mut wanted: Vec<Wanted> = found
         .iter()
         .map(|f| {
             let shift = inward(f);
-            Wanted { low: f.low + shift, high: (f.high + shift).min(top), size: f.size.min(limit) }
+            let (low, high) = (f.low + shift, (f.high + shift).min(top));
+            Wanted {
+                low,
+                high,
+                size: f.size.min(limit),
+                wide: f.width > WIDE * p.free_end,
+                begins: f.kind == FeatureKind::Minimum,
+                ends: f.kind == FeatureKind::Maximum,
+            }
         })
-        .filter(|w| w.low > least)
+        .filter(|w| w.low > least(w.wide))
         .collect();
     wanted.sort_by(|a, b| a.low.total_cmp(&b.low));
     wanted.dedup_by(|later, kept| {
@@ -135,6 +168,9 @@ fn wanted_heights(mesh: &Mesh, bottom: f64, top: f64, p: &HeightParams) -> Vec<W
         if same {
             kept.high = kept.high.max(later.high);
             kept.size = kept.size.max(later.size);
+            kept.wide |= later.wide;
+            kept.begins |= later.begins;
+            kept.ends |= later.ends;
         }
         same
     });
@@ -142,7 +178,7 @@ fn wanted_heights(mesh: &Mesh, bottom: f64, top: f64, p: &HeightParams) -> Vec<W
 }
 
 /// First and last height, the wanted ones, and between each two an even grid together with every
-/// even division that the bounds allow.
+/// even division that the bounds allow; halfway between those that one level must hold.
 fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec<f64> {
     let step = STEP.max((last - first) / MOST_CANDIDATES);
     let mut stops = vec![first];
@@ -158,6 +194,9 @@ fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec
         let fewest = (gap / p.slab_max).ceil() as usize;
         divide(fewest);
         divide(fewest + 1);
+        if gap < p.slab_min {
+            divide(2);
+        }
     }
     out.sort_by(f64::total_cmp);
     out.dedup_by(|a, b| *a - *b < 1e-6);
@@ -274,9 +313,17 @@ impl Costs<'_> {
 
     /// Fine for the wanted heights strictly inside.
     fn skipped(&self, from: f64, to: f64) -> f64 {
+        let reach = REACH * self.params.slab_min;
         let first = self.wanted.partition_point(|w| w.low <= from + 1e-6);
         let inside = self.wanted[first..].iter().take_while(|w| w.low < to - 1e-6);
-        inside.map(|w| w.size * SKIP_FINE).sum()
+        let least = WIDE * self.params.free_end;
+        let is_lost = |w: &Wanted| {
+            let (below, above) = (w.low - from, to - w.low);
+            let matters = w.wide || w.ends && below > least || w.begins && above > least;
+            matters && below > reach && above > reach
+        };
+        let fine = |w: &Wanted| w.size * SKIP_FINE + if is_lost(w) { LOST_FINE } else { 0.0 };
+        inside.map(fine).sum()
     }
 }
 
@@ -325,18 +372,34 @@ fn cheapest_chain(
     chain
 }
 
-/// Lets each level take in the wanted heights within `reach` mm that no level stands on.
-fn widen(levels: &mut [Level], wanted: &[Wanted], reach: f64) {
+/// Lets each level take in the wanted heights within `reach` mm that no level stands on, and the
+/// nearest level those of faces that none reaches. `bottom` is where the model begins.
+fn widen(levels: &mut [Level], wanted: &[Wanted], bottom: f64, reach: f64) {
+    let mut held: Vec<Vec<&Wanted>> = vec![Vec::new(); levels.len()];
     for feature in wanted {
-        let off = |level: &Level| (level.z - feature.low).abs();
+        let off = |i: &usize| (levels[*i].z - feature.low).abs();
         let i = levels.partition_point(|l| l.z < feature.low);
-        let end = (i + 1).min(levels.len());
-        let around = levels[i.saturating_sub(1)..end].iter_mut();
-        if let Some(level) = around.min_by(|a, b| off(a).total_cmp(&off(b)))
-            && off(level) <= reach
-        {
-            level.low = level.low.min(feature.low);
-            level.high = level.high.max(feature.high);
+        let around = i.saturating_sub(1)..(i + 1).min(levels.len());
+        let nearest = around.min_by(|a, b| off(a).total_cmp(&off(b)));
+        if let Some(nearest) = nearest.filter(|i| feature.wide || off(i) <= reach) {
+            held[nearest].push(feature);
         }
+    }
+    for (number, (level, held)) in levels.iter_mut().zip(held).enumerate() {
+        let Some(first) = held.first() else { continue };
+        // On the bed lies what is below the lowest of the features.
+        if number == 0 {
+            let middle = 0.5 * (bottom + first.low);
+            level.between.push(if first.low < level.z { middle } else { level.z });
+        }
+        let mut below = first.high;
+        for feature in &held {
+            if feature.low > below {
+                level.between.push(0.5 * (below + feature.low));
+            }
+            below = below.max(feature.high);
+        }
+        level.low = level.low.min(first.low);
+        level.high = level.high.max(below);
     }
 }

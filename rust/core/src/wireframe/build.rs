@@ -3,7 +3,6 @@
 use crate::head::Head;
 use crate::wireframe::frame::Wireframe;
 use crate::wireframe::lay::bed::on_bed;
-use crate::wireframe::lay::columns;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::faces::roofs_of_slab;
 use crate::wireframe::lay::journal::{Entries, Journal};
@@ -14,11 +13,15 @@ use crate::wireframe::order::cost::cost;
 use crate::wireframe::order::search::slab;
 use crate::wireframe::params::WireParams;
 use crate::wireframe::place::guide::Guide;
+use crate::wireframe::plan::columns;
 use crate::wireframe::plan::sliced::Sliced;
 use crate::wireframe::regions::layered::Layered;
 
 /// Fewer slabs than one in so many are not worth looking for other orders.
 const FEW: usize = 4;
+
+/// Supports are added in no more than so many passes: one stands on what the last one made room for.
+const PASSES: usize = 4;
 
 /// What a pass goes by.
 #[derive(Clone, Copy)]
@@ -73,7 +76,7 @@ pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> 
     Wireframe { posts, strands, unprinted, sliced }
 }
 
-/// What one or two passes of the build come to.
+/// What the passes of the build come to.
 struct Settled {
     /// The slices with supports, if the first pass found that they are needed.
     propped: Option<Sliced>,
@@ -82,36 +85,47 @@ struct Settled {
     last: Laid,
 }
 
-/// Lays the strands; a second pass adds supports where the first one found that they are needed.
-/// Each goes by a guide of its own.
+/// Lays the strands; further passes add supports where those before found that they are needed. The
+/// first one goes by a guide of its own.
 fn settled(sliced: &Sliced, plan: &Plan, guides: [&Guide; 2]) -> Settled {
-    let mut laid = lay(sliced, plan, guides[0]);
-    if !plan.p.supports {
-        laid.entries.columns.clear();
+    let mut last = lay(sliced, plan, guides[0], plan.p.supports);
+    let (mut propped, mut first) = (None, None);
+    for left in (0..PASSES).rev() {
+        if !plan.p.supports {
+            last.entries.columns.clear();
+        }
+        if last.entries.columns.is_empty() && last.entries.roofs.is_empty() {
+            break;
+        }
+        let slices: &mut Sliced = propped.get_or_insert_with(|| sliced.clone());
+        let added = {
+            let Entries { columns, roofs, .. } = &last.entries;
+            columns::add(slices, columns, roofs, plan.head, plan.p)
+        };
+        let laid = lay(slices, plan, guides[1], plan.p.supports && added && left > 0);
+        first.get_or_insert(std::mem::replace(&mut last, laid));
+        if !added || last.entries.unprinted.is_empty() {
+            break;
+        }
     }
-    if laid.entries.columns.is_empty() && laid.entries.roofs.is_empty() {
-        return Settled { propped: None, first: None, last: laid };
-    }
-    let mut propped = sliced.clone();
-    columns::add(&mut propped, &laid.entries.columns, &laid.entries.roofs);
-    let last = lay(&propped, plan, guides[1]);
-    Settled { propped: Some(propped), first: Some(laid), last }
+    Settled { propped, first, last }
 }
 
-/// One pass over all slabs, bottom up.
-fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide) -> Laid {
+/// One pass over all slabs, bottom up; `columns` tells whether what wants some is left to the next.
+fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide, columns: bool) -> Laid {
     let &Plan { layered, head, p, searching } = plan;
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(p.strand, f64::max);
     let tops = Tops::new(sliced, layered, head);
-    let cx = Context { sliced, layered, p, head, tops: &tops, guide };
+    let cx = Context { sliced, layered, p, head, tops: &tops, columns, guide };
     let cell = head.clearance(tallest);
     let mut journal = Journal::new(Obstacles::new(head, p.strand, cell, low, high));
     let mut wanting = 0;
     rayon::scope(|scope| {
         scope.spawn(|_| tops.gather());
-        let Some(first) = sliced.levels.first() else { return };
-        let mut ground = on_bed(&cx, &mut journal, first.z);
+        let Some(first) = sliced.first() else { return };
+        let ground = on_bed(&cx, &mut journal, &first);
+        let mut ground = transition(&cx, &mut journal, 0, ground);
         for number in 0..tops.count() {
             roofs_of_slab(&cx, &mut journal, number, &mut ground);
             let laid = slab(&cx, &mut journal, number, &mut ground, searching);

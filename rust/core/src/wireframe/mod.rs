@@ -4,6 +4,7 @@
 //! is layers), [`lay`] (in which strands, slab by slab), [`order`] (what first). [`build`] runs them.
 
 pub mod build;
+pub mod flat;
 pub mod frame;
 pub mod lay;
 pub mod order;

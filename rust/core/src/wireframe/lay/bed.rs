@@ -12,32 +12,36 @@ use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::ring::{Course, ring_through};
 use crate::wireframe::place::rim::Rim;
-use crate::wireframe::plan::strips::Strip;
+use crate::wireframe::plan::sliced::Step;
 
 /// A contour printed on the bed follows the model to this, mm.
 const BED_FOLLOW: f64 = 0.05;
 
 /// The first contours, pressed onto the bed, and the floors within them.
-pub fn on_bed(cx: &Context, journal: &mut Journal, z: f64) -> Ground {
+pub fn on_bed(cx: &Context, journal: &mut Journal, first: &Step) -> Ground {
     journal.begin_slab(0, &[]);
-    let contours = &cx.sliced.upper[0];
+    let z = cx.sliced.levels[0].z;
+    let contours = first.contours;
     let mut ground = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
     let plans = contours.iter().map(|c| vec![c.points.clone()]);
     let mut waiting = Waiting::new(plans.collect());
     while let Some(i) = waiting.take_nearest(journal.place()) {
         let Some(curve) = Curve::new(&contours[i].points, contours[i].closed) else { continue };
-        let start = seam(journal, &curve);
-        let kind = if contours[i].support { Kind::Support } else { Kind::Contour };
-        let longest = f64::INFINITY;
-        let course = Course { start, z, tolerance: BED_FOLLOW, longest, kind };
-        let (rim, _) = ring_through(journal, &curve, &[], &course);
-        ground.rims[i] = Some(Rim { held: true, ..rim });
+        ground.rims[i] = Some(press(journal, &curve, contours[i].support, z));
     }
-    let closes = |floor: &&Strip| floor.closes(contours, &floor.upper);
-    for floor in cx.sliced.ledges[0].iter().flatten().filter(closes) {
+    for floor in first.ledges.iter().filter(|floor| floor.closes(contours, &floor.upper)) {
         close(cx, journal, 0, &floor.upper, &mut ground);
     }
     ground
+}
+
+/// Prints a contour so low that the bed carries it all along; a column's, or the model's.
+pub fn press(journal: &mut Journal, curve: &Curve, support: bool, z: f64) -> Rim {
+    let start = seam(journal, curve);
+    let kind = if support { Kind::Support } else { Kind::Contour };
+    let course = Course { start, z, tolerance: BED_FOLLOW, longest: f64::INFINITY, kind };
+    let (rim, _) = ring_through(journal, curve, &[], &course);
+    Rim { held: true, ..rim }
 }
 
 /// Arc length where a ring that follows no strand begins: its corner nearest to the head.

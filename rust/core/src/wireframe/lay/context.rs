@@ -20,6 +20,8 @@ pub struct Context<'a> {
     pub head: &'a Head,
     /// What ends each slab.
     pub tops: &'a Tops<'a>,
+    /// Whether columns may still be asked for.
+    pub columns: bool,
     /// The plain print that wire beside layers goes by; empty for that print itself.
     pub guide: &'a Guide,
 }

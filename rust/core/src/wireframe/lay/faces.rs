@@ -5,27 +5,25 @@ use std::f64::consts::FRAC_PI_4;
 use glam::DVec2;
 
 use crate::contours::Contour;
-use crate::geometry::hatch::hatch;
-use crate::geometry::polygon;
-use crate::slices::heights::Level;
 use crate::strand::Kind;
+use crate::wireframe::flat::bare::bare;
+use crate::wireframe::flat::face::Wanted;
 use crate::wireframe::frame::Reason;
 use crate::wireframe::lay::context::Context;
+use crate::wireframe::lay::decks::Place;
 use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::journal::Journal;
-use crate::wireframe::lay::level::are_layers;
-use crate::wireframe::place::rim::{Footing, Rim};
+use crate::wireframe::place::rim::Rim;
+use crate::wireframe::plan::sliced::Step;
 use crate::wireframe::plan::strips::Strip;
-use crate::wireframe::regions::lids::outside;
 
 /// Faces this near to a level lie in it, mm.
 const FLAT: f64 = 0.05;
-
-/// What is left of a cap's strand beside layers is at least so many strands long.
-const LEAST: f64 = 2.0;
-
-/// A strand's end this near to a rim, as a part of the strand's diameter, lies on it.
-pub const HELD: f64 = 0.25;
+/// What lies farther than this part of the distance between a cap's strands from all of them is
+/// bare; with the default settings that is `coverage_within_mm`.
+const BARE: f64 = 2.0 / 3.0;
+/// Bare places that come to less than the square of this part of that distance are left.
+const LEFT: f64 = 0.5;
 
 /// Closes what ends at the foot of this slab.
 pub fn roofs_of_slab(cx: &Context, journal: &mut Journal, slab: usize, ground: &mut Ground) {
@@ -40,7 +38,8 @@ pub fn roofs_of_slab(cx: &Context, journal: &mut Journal, slab: usize, ground: &
     }
 }
 
-/// Closes the region within an odd number of the given contours, as they were printed.
+/// Closes the region within an odd number of the given contours, as they were printed: all of it,
+/// or what strands within leave bare.
 pub fn close(
     cx: &Context,
     journal: &mut Journal,
@@ -52,29 +51,28 @@ pub fn close(
         return;
     }
     let rings: Vec<&Rim> = which.iter().filter_map(|&i| ground.rims[i as usize].as_ref()).collect();
-    let lines = fill(cx, journal, &rings, level);
+    let Some(place) = Place::new(cx, journal, level, &rings) else { return };
+    let inside = place.inside(cx.p.strand);
+    let lines = match inside.strands() {
+        [] => fill(cx, journal, &place, Wanted::All),
+        _ => {
+            let (places, area) = bare(&place.plan, &inside, BARE * cx.p.cap_spacing);
+            fill_bare(cx, journal, &place, &places, area)
+        }
+    };
     ground.lines.extend(lines);
 }
 
-/// Closes a ledge so wide that the strokes between its two sides leave it open.
+/// Closes what the strokes between the two sides of a ledge leave bare.
 pub fn fill_ledge(
     cx: &Context,
     journal: &mut Journal,
-    level: usize,
+    step: &Step,
     ledge: &Strip,
     printed: &mut Ground,
     ground: &Ground,
 ) {
-    let length: f64 = ledge
-        .upper
-        .iter()
-        .map(|&i| &cx.sliced.upper[level][i as usize])
-        .map(|c| polygon::length(&c.points, c.closed))
-        .sum();
-    if !cx.p.caps
-        || are_layers(cx, level, &ledge.lower)
-        || ledge.area < 2.0 * cx.p.cap_spacing * length
-    {
+    if !cx.p.caps || !spans(step, ledge) {
         return;
     }
     let below = ledge.lower.iter().map(|&i| &printed.rims[i as usize]);
@@ -82,50 +80,58 @@ pub fn fill_ledge(
     let Some(rings) = below.chain(above).map(Option::as_ref).collect::<Option<Vec<&Rim>>>() else {
         return;
     };
-    let lines = fill(cx, journal, &rings, level);
+    let Some(place) = Place::new(cx, journal, step.level, &rings) else { return };
+    let (places, area) = bare(&place.plan, &place.surface, BARE * cx.p.cap_spacing);
+    let lines = fill_bare(cx, journal, &place, &places, area);
     printed.lines.extend(lines);
 }
 
-/// Prints strands from rim to rim in the region within an odd number of rims.
-fn fill(cx: &Context, journal: &mut Journal, rings: &[&Rim], level: usize) -> Vec<Rim> {
-    let rings: Vec<&Rim> =
-        rings.iter().filter(|rim| rim.closed && rim.points.len() > 2).copied().collect();
-    let Some(first) = rings.first().map(|rim| rim.points[0]) else { return Vec::new() };
-    let plan: Vec<Vec<DVec2>> =
-        rings.iter().map(|rim| rim.points.iter().map(|p| p.truncate()).collect()).collect();
-    let longest = if level == 0 { f64::INFINITY } else { cx.p.span_limit };
-    let whole = rings.iter().all(|rim| rim.gaps.is_empty());
-    let footing = Footing::new(&rings);
-    let held = |end: DVec2| whole || footing.holds(end, HELD * cx.p.strand);
-    let (spacing, kind) = lid(cx, &plan, level);
-    let (lines, dropped) = hatch(&plan, spacing, longest, held);
-    let layers = level.checked_sub(1).and_then(|slab| cx.layered.slab(slab));
-    let lids = layers.map_or(&[][..], |layers| &layers.lids);
-    let rims: Vec<Rim> = lines
-        .iter()
-        .flat_map(|line| outside(line, lids, LEAST * cx.p.strand))
-        .map(|line| Rim::line(line.into_iter().map(|p| p.extend(first.z)).collect()))
-        .collect();
-    for rim in &rims {
-        journal.polyline(&rim.points, kind);
+/// Whether a ledge is a face all over: of an open surface, it may be no more than a rim.
+fn spans(step: &Step, ledge: &Strip) -> bool {
+    let net = |contours: &[Contour], which: &[u32]| -> f64 {
+        which.iter().map(|&i| contours[i as usize].area).sum()
+    };
+    let change = net(step.below, &ledge.lower) - net(step.contours, &ledge.upper);
+    ledge.area > 0.0 && ledge.plan.abs() >= 0.5 * change.abs()
+}
+
+/// Closes bare places, each of which stands for `area` mm².
+fn fill_bare(
+    cx: &Context,
+    journal: &mut Journal,
+    place: &Place,
+    places: &[DVec2],
+    area: f64,
+) -> Vec<Rim> {
+    if places.len() as f64 * area < (LEFT * cx.p.cap_spacing).powi(2) {
+        return Vec::new();
     }
-    if dropped > 0.0 {
-        let area = dropped * spacing;
-        journal.leave_out(first.z, first.z, area, first.truncate(), Reason::WideRoof);
+    fill(cx, journal, place, Wanted::Near(places))
+}
+
+/// Prints strands from rim to rim; what is too wide for them is noted.
+fn fill(cx: &Context, journal: &mut Journal, place: &Place, wanted: Wanted) -> Vec<Rim> {
+    let (spacing, kind) = lid(cx, &place.plan, place.level);
+    let deck = place.deck(cx, wanted, spacing);
+    place.wants_columns(cx, journal, &deck);
+    let rims = place.print(cx, journal, &deck, kind);
+    if deck.left_out > 0.0 {
+        let (z, at) = (place.z, place.plan[0][0]);
+        journal.leave_out(z, z, deck.left_out * spacing, at, Reason::WideRoof);
     }
     rims
 }
 
 /// How the strands of a face lie apart, and what they are: side by side where it is marked.
 fn lid(cx: &Context, rims: &[Vec<DVec2>], level: usize) -> (f64, Kind) {
-    let Level { z, low, high } = cx.sliced.levels[level];
-    let (low, high) = if level == 0 { (f64::NEG_INFINITY, low) } else { (low, high) };
+    let of = &cx.sliced.levels[level];
+    let (low, high) = if level == 0 { (f64::NEG_INFINITY, of.low) } else { (of.low, of.high) };
     if !cx.layered.has_flat(rims, low - FLAT, high + FLAT) {
         return (cx.p.cap_spacing, Kind::Cap);
     }
     // On the bed a strand is squeezed to its height, and wider in turn.
     let strand = cx.p.strand;
-    let width = if level == 0 { FRAC_PI_4 * strand * strand / z } else { strand };
+    let width = if level == 0 { FRAC_PI_4 * strand * strand / of.z } else { strand };
     (width.max(strand), Kind::LayerWise)
 }
 

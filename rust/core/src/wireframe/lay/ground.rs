@@ -1,5 +1,8 @@
 //! What stands at one height, and what the next slab stands on.
 
+use glam::DVec2;
+
+use crate::contours::Contour;
 use crate::geometry::curve::Curve;
 use crate::geometry::nearest_first::bounds;
 use crate::wireframe::place::posts::Post;
@@ -26,6 +29,19 @@ impl Ground {
         };
         self.rims.iter().flatten().chain(&self.lines).filter(is_near).collect()
     }
+
+    /// The closed rims of the model itself.
+    #[must_use]
+    pub fn rings(&self) -> Vec<&Rim> {
+        let rims = self.rims.iter().flatten();
+        rims.filter(|rim| rim.closed && rim.printed && !rim.support).collect()
+    }
+
+    /// Counts columns among the strands of this height, for they may end here.
+    pub fn keep_tops(&mut self, contours: &[Contour]) {
+        let own = contours.iter().zip(&self.rims).filter(|(contour, _)| contour.support);
+        self.lines.extend(own.filter_map(|(_, rim)| rim.clone()));
+    }
 }
 
 /// A contour whose posts stand.
@@ -36,4 +52,10 @@ pub struct Standing {
     pub start: f64,
     /// Its posts, by arc length from there.
     pub posts: Vec<Post>,
+}
+
+/// Places along a curve, at most `pitch` mm apart.
+pub fn places(curve: &Curve, pitch: f64) -> impl Iterator<Item = DVec2> + '_ {
+    let count = (curve.length() / pitch).ceil().max(4.0) as usize;
+    (0..count).map(move |i| curve.position(curve.length() * i as f64 / count as f64))
 }

@@ -5,10 +5,10 @@ use glam::DVec3;
 
 use crate::strand::{Kind, Strand};
 use crate::wireframe::frame::{PlacedPost, Reason, Unprinted};
-use crate::wireframe::lay::columns::Need;
 use crate::wireframe::lay::obstacles::Obstacles;
 use crate::wireframe::place::guide::Spokes;
 use crate::wireframe::place::posts::Post;
+use crate::wireframe::plan::columns::Need;
 use crate::wireframe::regions::layered::Line;
 
 /// Points nearer than this are one point, told apart by rounding only, mm.
@@ -90,6 +90,8 @@ pub struct Journal<'a> {
     /// The slab's strands as the head meets them.
     pub obstacles: Obstacles<'a>,
     slab: u32,
+    /// Number of strands printed before this slab.
+    before: usize,
     entries: Entries,
 }
 
@@ -97,7 +99,7 @@ impl<'a> Journal<'a> {
     /// Nothing printed yet.
     #[must_use]
     pub fn new(obstacles: Obstacles<'a>) -> Self {
-        Self { obstacles, slab: 0, entries: Entries::default() }
+        Self { obstacles, slab: 0, before: 0, entries: Entries::default() }
     }
 
     /// Begins a slab: all that is printed lies below its strands and is out of the head's way.
@@ -105,6 +107,7 @@ impl<'a> Journal<'a> {
     pub fn begin_slab(&mut self, slab: u32, lines: &[Line]) {
         self.obstacles.begin_slab(lines);
         self.slab = slab;
+        self.before = self.entries.strands.len();
     }
 
     /// The slab under way.
@@ -123,6 +126,17 @@ impl<'a> Journal<'a> {
     #[must_use]
     pub fn into_entries(self) -> Entries {
         self.entries
+    }
+
+    /// The slab's strands that lie within a strand's diameter of height `z` and reach into a
+    /// rectangle, in plan.
+    pub fn flat(&self, z: f64, low: DVec2, high: DVec2) -> impl Iterator<Item = &Strand> + '_ {
+        let near = self.obstacles.strand();
+        self.entries.strands[self.before..].iter().filter(move |strand| {
+            let [a, b] = [strand.from, strand.to].map(DVec3::truncate);
+            let in_plan = a.min(b).cmple(high).all() && a.max(b).cmpge(low).all();
+            in_plan && [strand.from, strand.to].iter().all(|p| (p.z - z).abs() <= near)
+        })
     }
 
     /// Where the last strand ended.

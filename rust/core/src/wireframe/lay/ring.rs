@@ -29,7 +29,8 @@ pub fn ring_through(
     for _ in 1..laps.ceil().max(1.0) as usize {
         stretches.iter().for_each(|stretch| journal.polyline(stretch, course.kind));
     }
-    let mut rim = Rim { closed: curve.is_closed(), printed: true, ..Rim::default() };
+    let support = course.kind == Kind::Support;
+    let mut rim = Rim { closed: curve.is_closed(), printed: true, support, ..Rim::default() };
     let (mut left_out, mut end) = (0.0, None);
     for stretch in stretches {
         let length: f64 = stretch.windows(2).map(|p| p[0].distance(p[1])).sum();

@@ -7,11 +7,12 @@ use crate::geometry::nearest_first::{Waiting, bounds};
 use crate::geometry::tour::tour;
 use crate::wireframe::frame::Reason;
 use crate::wireframe::lay::bare_rims::print_crowded_rims;
+use crate::wireframe::lay::carry::{Carried, carry, is_far};
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::{is_support, ring, rings};
 use crate::wireframe::lay::faces::{close, give_up};
 use crate::wireframe::lay::ground::{Ground, Standing};
-use crate::wireframe::lay::hang::{hang, want_columns};
+use crate::wireframe::lay::hang::{Hanging, hang, want_columns};
 use crate::wireframe::lay::job::{Job, plans};
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::layers::{join_pieces, print_layers};
@@ -126,12 +127,16 @@ fn hang_rest(
     for job in bare {
         let Some(curve) = &top.curves[job.curve] else { continue };
         let contour = &cx.sliced.lower[top.slab + 1][top.contour(job.curve)];
-        let rim = hang(cx, journal, curve, top.z, top.slab + 1, contour, printed);
+        let carried = carried(cx, journal, top, curve, printed);
+        let flat = Flat { curve, z: top.z };
+        let hanging = Hanging { contour, flat, level: top.slab + 1 };
+        let rim = hang(cx, journal, hanging, &carried, printed);
         if rim.is_none() && !contour.support {
             let born = job.carriers.is_empty();
             // What stands on something unprinted will stand once that is supported.
-            if !born || cx.sliced.strips[top.slab][job.strip].lower.is_empty() {
-                want_columns(journal, curve, top.slab + 1);
+            let begins = cx.sliced.strips[top.slab][job.strip].lower.is_empty();
+            if !carried.is_wanted && (!born || begins) {
+                want_columns(cx, journal, curve, top.slab + 1);
             }
             let reason = if born { Reason::MidAir } else { Reason::NoFoothold };
             give_up(cx, journal, top.slab, job.strip, reason);
@@ -139,6 +144,21 @@ fn hang_rest(
         printed.rims[job.curve] = rim;
         floor(cx, journal, top, job, printed);
     }
+}
+
+/// Bridges under a contour that lies too far from everything that could hold it.
+fn carried(
+    cx: &Context,
+    journal: &mut Journal,
+    top: &Top,
+    curve: &Curve,
+    printed: &mut Ground,
+) -> Carried {
+    let reach = cx.p.free_end_limit;
+    if !is_far(curve, &printed.near(curve, reach), reach) {
+        return Carried::default();
+    }
+    carry(cx, journal, top.slab + 1, curve.points(), printed)
 }
 
 /// Closes what begins within the slab, and asks for a roof under what leans too far.

@@ -4,10 +4,10 @@ use crate::geometry::curve::Curve;
 use crate::strand::Kind;
 use crate::stroke::Strokes;
 use crate::wireframe::lay::begin::start;
-use crate::wireframe::lay::columns::needs;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::ground::{Ground, Standing};
 use crate::wireframe::lay::journal::Journal;
+use crate::wireframe::lay::needs::needs;
 use crate::wireframe::lay::strokes::zigzag_strokes;
 use crate::wireframe::lay::tops::Top;
 use crate::wireframe::place::gaps::gaps;
@@ -118,7 +118,7 @@ pub fn tighten(
         posts.sort_by(|a, b| a.s.total_cmp(&b.s));
     }
     let widest = WIDE * cx.p.span_limit;
-    journal.want_columns(needs(curve, start, &posts, level, widest));
+    journal.want_columns(needs(curve, start, &posts, level, widest, cx.p.span_limit));
     Standing { curve: number, start, posts }
 }
 

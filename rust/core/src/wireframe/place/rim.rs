@@ -19,6 +19,8 @@ pub struct Rim {
     pub held: bool,
     /// Segments, by the number of their first vertex, that are left out; ascending.
     pub gaps: Vec<usize>,
+    /// Whether it is a column's.
+    pub support: bool,
 }
 
 /// A place on a rim.
