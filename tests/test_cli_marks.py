@@ -126,7 +126,7 @@ def test_paint_is_not_chosen_where_there_can_be_none(option, cube_stl, tmp_path)
 def test_a_projects_name_must_say_what_it_is(cube_stl, tmp_path):
     result = run("project", cube_stl, "-o", tmp_path / "x.stl")
     assert result.exit_code == 2
-    assert "ends in .3mf" in result.stderr
+    assert "end the name in .3mf" in result.stderr
 
 
 def test_nothing_of_marks_is_imported_where_nothing_is_marked(cube_stl, tmp_path):

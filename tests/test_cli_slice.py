@@ -237,8 +237,8 @@ def test_two_runs_and_any_number_of_threads_give_the_same_bytes(sphere, tmp_path
 
 @pytest.fixture
 def unprintable():
-    """Let every print be too hasty for its extruder, which only the certificate sees."""
-    return ["--set", "extruder.max_flow_mm3_s=5"]
+    """Let every travel be too hasty for the machine, which only the certificate sees."""
+    return ["--set", "speeds.travel_mm_s=900"]
 
 
 def test_a_file_that_breaks_the_rules_is_refused(cube, tmp_path, unprintable):
@@ -246,7 +246,7 @@ def test_a_file_that_breaks_the_rules_is_refused(cube, tmp_path, unprintable):
     result = run("slice", cube, "-o", target, *unprintable)
     assert result.exit_code == 5
     assert re.search(
-        r"break the rules \(out of bounds: \d+\); first in line \d+, flow", result.stderr
+        r"break the rules \(out of bounds: \d+\); first in line \d+, feed", result.stderr
     )
     assert not target.exists()
 

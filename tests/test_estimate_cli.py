@@ -42,8 +42,8 @@ def test_the_report_names_time_features_and_filament(files):
         assert word in text
 
 
-def test_a_missing_file_is_a_usage_error(tmp_path):
-    assert run(tmp_path / "none.gcode")[0] == 2
+def test_a_missing_file_cannot_be_read(tmp_path):
+    assert run(tmp_path / "none.gcode")[0] == 3
 
 
 def test_a_wrong_profile_exits_with_4(files):

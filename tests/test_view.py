@@ -287,7 +287,7 @@ def test_the_command_writes_a_picture_of_a_model(tmp_path):
 @pytest.mark.parametrize(
     ("options", "code", "message"),
     [
-        (["-o", "x.jpg"], 2, "must end in .png or .html"),
+        (["-o", "x.jpg"], 2, "end the name in .png or .html"),
         (["--size", "big"], 2, "'big' is not WIDTHxHEIGHT"),
         (["--camera", "behind"], 4, "camera is 'behind'"),
         (["--kinds", "foam"], 4, "foam is unknown"),

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import time
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
-from wireprint._core import SettingError
+from wireprint._core import MemoryLimitError, ModelError, SettingError, UnprintableError
 from wireprint.gcode import document
 from wireprint.timing import Filament
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from wireprint._core import Mesh, Toolpath
+    from wireprint._core import Mesh, Toolpath, WireprintError
+    from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
 
@@ -43,10 +44,17 @@ class Comparison:
 
     #: In the order of `CONDITIONS`, `HYBRID` last.
     conditions: tuple[Condition, ...]
+    #: Why the other ones failed, by name.
+    failures: dict[str, str] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything as values that JSON knows."""
-        return {"conditions": [asdict(condition) for condition in self.conditions]}
+        return {
+            "conditions": [asdict(condition) for condition in self.conditions],
+            "failed": [
+                {"condition": name, "error": reason} for name, reason in self.failures.items()
+            ],
+        }
 
 
 def compare(
@@ -64,8 +72,8 @@ def compare(
     settings
         Printer, material, way of wiring; ``settings.layerwise`` for the other conditions.
     conditions
-        Which of `CONDITIONS` and `HYBRID`; all by default. The first of them is the measure of
-        speed-up.
+        Which of `CONDITIONS` and `HYBRID`; all by default. The first of them that can be printed is
+        the measure of speed-up.
     region
         What is marked, in the mesh's coordinates. Only then there is `HYBRID`: the wire print with
         layers there.
@@ -78,8 +86,8 @@ def compare(
     ------
     SettingError
         A condition is unknown, or is `HYBRID` where nothing is marked.
-    ModelError
-        The model cannot be printed in one of the ways.
+    ModelError, UnprintableError
+        The model cannot be printed in any of the ways.
     """
     makers = _MAKERS
     if region:
@@ -90,9 +98,14 @@ def compare(
         msg = f"condition {unknown[0]!r}: {why}; there are {', '.join(makers)}"
         raise SettingError(msg)
     found: list[Condition] = []
+    failures: dict[str, WireprintError] = {}
     for name in (name for name in makers if name in wanted):
         begin = time.perf_counter()
-        machine, path = makers[name](mesh, settings)
+        try:
+            machine, path = makers[name](mesh, settings)
+        except (ModelError, UnprintableError, MemoryLimitError) as error:
+            failures[name] = error
+            continue
         text = document.body(path, machine, document.dated(None))
         estimate = document.timing(text, machine)
         base_s = found[0].print_time_s if found else estimate.total_s
@@ -106,7 +119,22 @@ def compare(
                 compute_s=time.perf_counter() - begin,
             )
         )
-    return Comparison(tuple(found))
+    if failures and not found:
+        raise next(iter(failures.values()))
+    return Comparison(tuple(found), {name: str(error) for name, error in failures.items()})
+
+
+def condition_of(made: WirePrint) -> Condition:
+    """Return the condition `WIREPRINT` of a model that was made already."""
+    filament_mm, checked_s = made.estimate.filament_mm, made.timings_s.get("check", 0.0)
+    return Condition(
+        condition=WIREPRINT,
+        print_time_s=made.estimate.total_s,
+        filament_mm=filament_mm,
+        filament_g=Filament.of(made.settings).grams(filament_mm),
+        speedup=1.0,
+        compute_s=sum(made.timings_s.values()) - checked_s,
+    )
 
 
 def _solid(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
@@ -147,9 +175,9 @@ def _fast(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
 
 
 def _wire(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
-    from wireprint.stages import toolpath, wireframe
+    from wireprint.stages import on_bed, toolpath, wireframe
 
-    return settings, toolpath(wireframe(mesh, settings), settings)
+    return settings, toolpath(wireframe(on_bed(mesh, settings), settings), settings)
 
 
 def _hybrid(region: Region, mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
@@ -162,10 +190,13 @@ def _hybrid(region: Region, mesh: Mesh, settings: Settings) -> tuple[Settings, T
     return settings, proved(placed, wireframe(placed, settings), moved, settings).toolpath
 
 
+#: What `wireprint.make` makes.
+WIREPRINT: Final = "wireprint"
+
 _MAKERS: Final[dict[str, Callable[[Mesh, Settings], tuple[Settings, Toolpath]]]] = {
     "layerwise-solid": _solid,
     "layerwise-wireframe": _frame,
-    "wireprint": _wire,
+    WIREPRINT: _wire,
     "vase": _vase,
     "layerwise-fast": _fast,
 }

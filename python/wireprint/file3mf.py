@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from wireprint._core import Mesh, WireprintError
+from wireprint._core import Mesh
+from wireprint.naming import named
 from wireprint.threemf.archive import Archive
 from wireprint.threemf.scene import PROJECT_TYPE, read_scene, related_part
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator
+    from collections.abc import Collection
     from pathlib import Path
 
     from wireprint.project import Saved
@@ -23,7 +23,7 @@ class File3mf:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        with _named(path), Archive(path) as archive:
+        with named(path), Archive(path) as archive:
             self.scene = read_scene(archive)
             self._saved = _saved(archive)
 
@@ -39,7 +39,7 @@ class File3mf:
         """
         vertices, faces = self.scene.facets()
         placement["scale"] *= self.scene.unit_mm
-        with _named(self.path):
+        with named(self.path):
             if as_it_is and self._saved is not None and self._saved.is_of(vertices, faces):
                 return Mesh.restored(vertices, faces, self._saved.paired)
             return Mesh.from_arrays(vertices, faces, **placement)
@@ -48,7 +48,7 @@ class File3mf:
         """Return what is painted, and then marked in the project, in a mesh's frame."""
         from wireprint.regions.painted import painted
 
-        with _named(self.path):
+        with named(self.path):
             region = painted(self.scene, states, sets)
         if self._saved is not None:
             region = region.add(self._saved.strokes.region())
@@ -56,7 +56,7 @@ class File3mf:
 
     def settings(self) -> Settings | None:
         """Return a project's settings."""
-        with _named(self.path):
+        with named(self.path):
             return _settings(self._saved)
 
 
@@ -70,7 +70,7 @@ def project_settings(path: Path) -> Settings | None:
     """
     if path.suffix.lower() != ".3mf":
         return None
-    with _named(path), Archive(path) as archive:
+    with named(path), Archive(path) as archive:
         return _settings(_saved(archive))
 
 
@@ -92,12 +92,3 @@ def _settings(saved: Saved | None) -> Settings | None:
     from wireprint.settings import Settings
 
     return Settings.from_mapping(saved.settings)
-
-
-@contextmanager
-def _named(path: Path) -> Iterator[None]:
-    """Name the file in errors about it."""
-    try:
-        yield
-    except WireprintError as error:
-        raise type(error)(f"{path}: {error}") from error

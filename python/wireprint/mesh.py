@@ -28,6 +28,7 @@ SUFFIXES: Final = (*FORMATS, "3mf")
 def load_mesh(
     path: str | os.PathLike[str],
     *,
+    file_format: str | None = None,
     scale: float = 1.0,
     units: str = "mm",
     up: str = "z",
@@ -43,6 +44,8 @@ def load_mesh(
     path
         STL, OBJ, PLY, OFF or 3MF file. Objects, instances and components are joined, each with
         its transform; overlapping bodies stay as they are until slices are united.
+    file_format
+        One of `SUFFIXES`, where the name of the file does not end in it.
     scale
         Factor on the model's size.
     units
@@ -76,7 +79,7 @@ def load_mesh(
     """
     if units not in UNITS_MM:
         raise SettingError(f"units is {units!r}; it must be one of {', '.join(UNITS_MM)}")
-    suffix = str(path).rpartition(".")[2].lower()
+    suffix = format_of(path, file_format)
     placement: dict[str, Any] = {
         "scale": scale,
         "up": up,
@@ -93,12 +96,23 @@ def load_mesh(
         return placed(File3mf(Path(path)), units=units, **placement)
     if suffix not in FORMATS:
         known = ", ".join(name.upper() for name in SUFFIXES)
-        raise ModelError(f"{path}: the format is not supported; convert it to one of {known}")
+        msg = (
+            f"{path}: the format is not supported; convert it to one of {known}, or name the "
+            "format (--format) if the file is in one of them"
+        )
+        raise ModelError(msg)
     return Mesh.load(path, suffix, **placement | {"scale": scale * UNITS_MM[units]})
 
 
+def format_of(path: str | os.PathLike[str], file_format: str | None = None) -> str:
+    """Return the format of a model's file: the one that is given, else what its name ends in."""
+    return file_format or str(path).rpartition(".")[2].lower()
+
+
 #: How `load_mesh` places a model unless it is told otherwise.
-AS_IT_IS: Final[dict[str, Any]] = dict(load_mesh.__kwdefaults__ or {})
+AS_IT_IS: Final[dict[str, Any]] = {
+    name: value for name, value in (load_mesh.__kwdefaults__ or {}).items() if name != "file_format"
+}
 
 
 def placed(file: File3mf, **placement: Any) -> Mesh:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from wireprint._core import Mesh, ModelError
 from wireprint.file3mf import File3mf
-from wireprint.mesh import load_mesh, placed
+from wireprint.mesh import format_of, load_mesh, placed
 
 if TYPE_CHECKING:
     import os
@@ -32,6 +32,7 @@ class Model:
 def load_model(
     path: str | os.PathLike[str],
     *,
+    file_format: str | None = None,
     states: Collection[int] = (),
     sets: Collection[str] = (),
     **placement: Any,
@@ -40,7 +41,7 @@ def load_model(
 
     Parameters
     ----------
-    path
+    path, file_format
         As for `wireprint.load_mesh`. Files besides 3MF have no marks.
     states
         Numbers of extruders whose paint counts; none: that of all.
@@ -56,10 +57,10 @@ def load_model(
         See `wireprint.load_mesh`. Also where the painting is damaged, a set is not there, or a
         project's settings are wrong.
     """
-    if Path(path).suffix.lower() != ".3mf":
+    if format_of(path, file_format) != "3mf":
         from wireprint.regions import Region
 
-        return Model(load_mesh(path, **placement), Region(), None)
+        return Model(load_mesh(path, file_format=file_format, **placement), Region(), None)
     file = File3mf(Path(path))
     mesh = placed(file, **placement)
     return Model(mesh, file.region(mesh, states, sets), file.settings())

@@ -52,12 +52,30 @@ class Saved(BaseModel):
 
 
 def write_project(path: str | Path, mesh: Mesh, settings: Settings, region: Region) -> None:
-    """Write a project: all of it, or nothing; same input, same bytes.
+    """Write a project: all of it, or nothing.
 
     Parameters
     ----------
     path
         The file, ``.3mf``; an older one is replaced.
+    mesh, settings, region
+        See `project_bytes`.
+
+    Raises
+    ------
+    SettingError
+        The region has a predicate, or is too large.
+    OutputError
+        The file cannot be written.
+    """
+    written_whole(Path(path), project_bytes(mesh, settings, region))
+
+
+def project_bytes(mesh: Mesh, settings: Settings, region: Region) -> bytes:
+    """Return a project's file; same input, same bytes.
+
+    Parameters
+    ----------
     mesh
         The model as it was placed.
     settings
@@ -79,7 +97,7 @@ def write_project(path: str | Path, mesh: Mesh, settings: Settings, region: Regi
     content = saved.model_dump_json(indent=1).encode()
     check_size(content, "the project", SettingError)
     part = write.Extra(PART, CONTENT_TYPE, PROJECT_TYPE, content)
-    written_whole(Path(path), write.package(mesh, part))
+    return write.package(mesh, part)
 
 
 def read_saved(archive: "Archive", name: str) -> Saved:

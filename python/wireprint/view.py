@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from wireprint._core import Mesh, Scene, SettingError, Strands
-from wireprint.files import written_whole
+from wireprint.files import GCODE_SUFFIXES, apart, written_whole
+from wireprint.naming import named
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterable, Sequence
@@ -73,7 +74,6 @@ CAMERAS: Final = {
     "side": (90.0, 0.0, 0.0),
     "top": (0.0, 90.0, 0.0),
 }
-GCODE_SUFFIXES: Final = frozenset({"gcode", "gco", "g", "nc", "ngc"})
 BREACH_RADIUS_MM: Final = 0.9
 #: Below this width a picture has no room for a legend, pixels.
 LEGEND_FROM_PX: Final = 480
@@ -110,7 +110,7 @@ def camera_angles(camera: str) -> tuple[float, float, float]:
 
 def is_gcode(path: str | os.PathLike[str]) -> bool:
     """Whether a file's name is that of G-code."""
-    return Path(path).suffix.lower().lstrip(".") in GCODE_SUFFIXES
+    return Path(path).suffix.lower() in GCODE_SUFFIXES
 
 
 def load(source: Source, **placement: Any) -> Shown:
@@ -138,10 +138,23 @@ def load(source: Source, **placement: Any) -> Shown:
     if not isinstance(source, str | os.PathLike):
         return source if source.region else source.mesh
     if is_gcode(source):
-        return Strands.read_gcode(source)
+        return strands_in(source)
     from wireprint.model import load_model
 
     return load(load_model(source, **placement))
+
+
+def strands_in(path: str | os.PathLike[str]) -> Strands:
+    """Read the strands of a G-code file, whatever its name.
+
+    Raises
+    ------
+    GcodeError, OSError
+        The file cannot be read.
+    """
+    text = Path(path).read_bytes()
+    with named(path):
+        return Strands.from_gcode(text)
 
 
 def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
@@ -313,7 +326,7 @@ def render_png(
         )
         png = sheet.png(rgba, px_per_mm)
     if path is not None:
-        written_whole(Path(path), png)
+        _write(path, png, source)
     return png
 
 
@@ -366,8 +379,15 @@ def render_html(
     page.add_marks(_points(breaches))
     text = page.text()
     if path is not None:
-        written_whole(Path(path), text.encode())
+        _write(path, text.encode(), source)
     return text
+
+
+def _write(path: str | os.PathLike[str], content: bytes, source: Source) -> None:
+    """Write a picture or page, though never over what it shows."""
+    if isinstance(source, str | os.PathLike):
+        apart(path, [source])
+    written_whole(Path(path), content)
 
 
 def _title(title: str | None, source: Source) -> str:

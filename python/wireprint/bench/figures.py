@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from wireprint._core import UnprintableError, WireprintError
-from wireprint.comparison import CONDITIONS, HYBRID
+from wireprint.comparison import CONDITIONS, HYBRID, WIREPRINT
 from wireprint.pipeline import make
 
 if TYPE_CHECKING:
@@ -18,8 +18,7 @@ if TYPE_CHECKING:
 
 def certificate(model: Model, settings: Settings, row: Row) -> None:
     """Fill in what the plain wire print is like, and whether it keeps the rules."""
-    row |= sizes(model.mesh)
-    row |= wire_print(make(model.mesh, settings))
+    _certified(model, settings, row)
 
 
 def comparison(model: Model, settings: Settings, row: Row) -> None:
@@ -30,13 +29,13 @@ def comparison(model: Model, settings: Settings, row: Row) -> None:
     UnprintableError
         Some conditions failed; the cells of the others are filled in.
     """
-    certificate(model, settings, row)
+    made = _certified(model, settings, row)
     conditions = (*CONDITIONS, HYBRID) if model.region else CONDITIONS
     # One at a time: what a layer slicer cannot print may still be worth a wire print.
     failures = [
         f"{name}: {reason}"
         for name in conditions
-        if (reason := _condition(name, model, settings, row)) is not None
+        if (reason := _condition(name, model, settings, made, row)) is not None
     ]
     if failures:
         raise UnprintableError("; ".join(failures))
@@ -47,12 +46,24 @@ def column(condition: str, figure: str) -> str:
     return f"{condition.replace('-', '_')}_{figure}"
 
 
-def _condition(name: str, model: Model, settings: Settings, row: Row) -> str | None:
+def _certified(model: Model, settings: Settings, row: Row) -> WirePrint:
+    row |= sizes(model.mesh)
+    made = make(model.mesh, settings)
+    row |= wire_print(made)
+    return made
+
+
+def _condition(
+    name: str, model: Model, settings: Settings, made: WirePrint, row: Row
+) -> str | None:
     """Fill in one condition; return why it fails, if it does."""
     from wireprint import comparison
 
     try:
-        [found] = comparison.compare(model.mesh, settings, [name], model.region).conditions
+        if name == WIREPRINT:
+            found = comparison.condition_of(made)
+        else:
+            [found] = comparison.compare(model.mesh, settings, [name], model.region).conditions
     except Exception as error:
         return str(error) if isinstance(error, WireprintError) else repr(error)
     row[column(name, "time_s")] = found.print_time_s

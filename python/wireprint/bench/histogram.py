@@ -8,10 +8,11 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw, ImageFont, PngImagePlugin
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
 WIDTH, HEIGHT = 900, 560
 MARGIN: Final = 70
@@ -20,6 +21,9 @@ INK, FAINT, BAR, MARK = (40, 40, 40), (200, 200, 200), (40, 90, 200), (220, 60, 
 _ROUND: Final = (1.0, 2.0, 2.5, 5.0, 10.0)
 _MOST_BINS: Final = 40
 _MOST_LABELS: Final = 12
+#: What the file says that it was made with, and how far from its begin that may stand, bytes.
+_SOFTWARE: Final = "wireprint bench"
+_ABOUT_BYTES: Final = 256
 
 
 def png(values: Sequence[float], title: str, axis: str) -> bytes:
@@ -47,8 +51,16 @@ def png(values: Sequence[float], title: str, axis: str) -> bytes:
     sheet.mark(quantile(values, 0.5))
     sheet.titles(title, axis)
     out = io.BytesIO()
-    image.save(out, "PNG")
+    about = PngImagePlugin.PngInfo()
+    about.add_text("Software", _SOFTWARE)
+    image.save(out, "PNG", pnginfo=about)
     return out.getvalue()
+
+
+def is_ours(path: Path) -> bool:
+    """Whether a file is a histogram that was drawn here, which another one may replace."""
+    with path.open("rb") as file:
+        return f"tEXtSoftware\0{_SOFTWARE}".encode() in file.read(_ABOUT_BYTES)
 
 
 @dataclass(frozen=True)

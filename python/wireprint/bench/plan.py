@@ -10,7 +10,10 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from wireprint import streams
 from wireprint._core import FORMATS, ModelError, SettingError, WireprintError, __version__
+from wireprint.streams import STREAM
+from wireprint.text import one_line
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -29,6 +32,7 @@ class Placement:
     up: str = "z"
     rotate: tuple[float, float, float] = (0.0, 0.0, 0.0)
     height_mm: float | None = None
+    file_format: str | None = None
 
 
 @dataclass(frozen=True)
@@ -54,6 +58,11 @@ class Task:
     content: bytes | None = field(default=None, repr=False)
 
     @property
+    def name(self) -> str:
+        """The path as rows show it."""
+        return one_line(self.model)
+
+    @property
     def key(self) -> tuple[str, str]:
         """What tells whether a row is already there."""
         return self.model_sha256, self.settings_sha256
@@ -72,7 +81,8 @@ def plan(
     models
         Files; folders, searched through for `SUFFIXES`; glob patterns; manifests: ``.csv`` files
         with a column ``name`` (relative to the manifest) and, where they differ from `placement`,
-        ``scale`` and ``up_axis``. A model that is named twice in one way counts once.
+        ``scale`` and ``up_axis``; ``-``: a manifest on stdin. A model that is named twice in one
+        way counts once.
     placement
         What applies unless a manifest says otherwise.
     fingerprint
@@ -94,8 +104,10 @@ def plan(
 
 def _named(name: str, placement: Placement) -> Iterator[tuple[Path, Placement]]:
     path = Path(name)
-    if path.suffix.lower() == ".csv":
-        yield from _manifest(path, placement)
+    if name == STREAM:
+        yield from _manifest(streams.regular(streams.STDIN), Path(), placement)
+    elif path.suffix.lower() == ".csv":
+        yield from _manifest(path, path.parent, placement)
     elif path.is_dir():
         yield from _some(name, sorted(path.rglob("*")), placement)
     elif glob.has_magic(name) and not path.exists():
@@ -115,7 +127,7 @@ def _some(
         yield path, placement
 
 
-def _manifest(path: Path, placement: Placement) -> Iterator[tuple[Path, Placement]]:
+def _manifest(path: Path, folder: Path, placement: Placement) -> Iterator[tuple[Path, Placement]]:
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
             rows = csv.DictReader(file)
@@ -123,9 +135,13 @@ def _manifest(path: Path, placement: Placement) -> Iterator[tuple[Path, Placemen
                 msg = f"{path}: a manifest has a column called name"
                 raise ModelError(msg)
             for row in rows:
-                yield path.parent / row["name"], _placed(f"{path}:{rows.line_num}", row, placement)
+                place = f"{path}:{rows.line_num}"
+                name = row["name"]
+                if not name or "\0" in name:
+                    raise ModelError(f"{place}: name is {name!r}; it must be that of a model")
+                yield folder / name, _placed(place, row, placement)
     except (UnicodeDecodeError, csv.Error) as error:
-        msg = f"{path}: not a CSV file: {error}"
+        msg = f"{path}: not a CSV file in UTF-8: {error}"
         raise ModelError(msg) from error
 
 

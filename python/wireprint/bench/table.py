@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import csv
 import io
-import json
-import os
+import sys
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
+from wireprint.bench import journal
 from wireprint.bench.figures import column
 from wireprint.comparison import CONDITIONS, HYBRID
 from wireprint.files import written_whole
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
     from pathlib import Path
-    from typing import IO, Self
+    from typing import Self
 
     from wireprint.bench.plan import Task
     from wireprint.bench.task import Row
@@ -31,6 +31,9 @@ COLUMNS: Final[dict[str, type]] = {
     "up": str,
     "turned_deg": str,
     "error": str,
+    "version": str,
+    "printer": str,
+    "material": str,
     "triangles": int,
     "size_x_mm": float,
     "size_y_mm": float,
@@ -56,6 +59,12 @@ COLUMNS: Final[dict[str, type]] = {
 #: Further columns, where a model is marked.
 MARKED_COLUMNS: Final[dict[str, type]] = {column(HYBRID, figure): float for figure in _FIGURES}
 SUFFIXES: Final = (".csv", ".parquet")
+#: Without these a table is none of ours.
+_KEY_COLUMNS: Final = ("model", "model_sha256", "settings_sha256")
+#: Spreadsheets compute a cell that begins so, unless it is quoted (OWASP, "CSV injection"); what
+#: begins with the quote itself needs one more, lest it lose its own.
+_QUOTE: Final = "'"
+_COMPUTED: Final = ("=", "+", "-", "@", "\t", "\r", _QUOTE)
 
 
 class Table:
@@ -64,51 +73,61 @@ class Table:
     Each row is added to a journal beside the file at once, and on disk before the next one; the
     file itself is written whole in the end. So a run may be killed at any moment, in either
     format, and the next one goes on where it stopped.
+
+    Parameters
+    ----------
+    path
+        The file; None: the table is written to stdout as CSV, and nothing is kept meanwhile.
+
+    Raises
+    ------
+    SettingError
+        Its suffix is none of `SUFFIXES`, or it or its journal holds something else than results.
     """
 
-    def __init__(self, path: Path) -> None:
-        if path.suffix.lower() not in SUFFIXES:
-            msg = f"{path}: results are written as {' or '.join(SUFFIXES)}"
-            raise SettingError(msg)
-        if path.suffix.lower() == ".parquet":
-            _pyarrow()
+    def __init__(self, path: Path | None) -> None:
         self._path = path
-        self._journal = path.with_name(f"{path.name}.journal")
-        self._rows = {_key(row): row for row in [*_read(path), *_journalled(self._journal)]}
+        self._journal: journal.Journal | None = None
+        rows: list[Row] = []
+        if path is not None:
+            if path.suffix.lower() not in SUFFIXES:
+                msg = f"{path}: results are written as {' or '.join(SUFFIXES)}"
+                raise SettingError(msg)
+            self._journal = journal.Journal(path.with_name(f"{path.name}.journal"))
+            rows = [*_read(path), *self._journal.rows()]
+        self._rows = {_key(row): row for row in rows}
         self._by_content = {key[:2]: row for key, row in self._rows.items() if key[0]}
-        self._file: IO[str] | None = None
 
     def __enter__(self) -> Self:
-        """Open the journal."""
-        self._file = self._journal.open("a", encoding="utf-8")
-        # What a killed run left unfinished must not join the first row of this one.
-        self._file.write("\n")
+        """Begin a run."""
         return self
 
     def __exit__(self, *_: object) -> None:
         """Close the journal; it stays until `finish`."""
-        if self._file is not None:
-            self._file.close()
+        if self._journal is not None:
+            self._journal.close()
 
     def row_of(self, task: Task) -> Row | None:
         """Return a row that is already there, under the model's present name."""
         row = self._by_content.get(task.key)
-        return None if row is None else row | {"model": task.model}
+        return None if row is None else row | {"model": task.name}
 
     def add(self, row: Row) -> None:
         """Keep a row, even if the machine stops now."""
-        if self._file is None:
-            raise ValueError("the table is not open")
-        self._file.write(json.dumps(row) + "\n")
-        self._file.flush()
-        os.fsync(self._file.fileno())
+        if self._journal is not None:
+            self._journal.add(row)
 
     def finish(self, rows: Sequence[Row]) -> None:
         """Write the rows of a run, in its order, after older ones of other models or settings."""
+        if self._path is None:
+            sys.stdout.buffer.write(_csv(rows))
+            sys.stdout.buffer.flush()
+            return
         ours = {_key(row) for row in rows}
         others = [row for key, row in self._rows.items() if key not in ours]
         written_whole(self._path, _encoded(self._path, [*others, *rows]))
-        self._journal.unlink(missing_ok=True)
+        if self._journal is not None:
+            self._journal.remove()
 
 
 def _key(row: Row) -> tuple[str, str, str]:
@@ -116,60 +135,93 @@ def _key(row: Row) -> tuple[str, str, str]:
     return row["model_sha256"] or "", row["settings_sha256"], row["model"]
 
 
-def _journalled(path: Path) -> list[Row]:
-    """Read the rows of a run that was stopped; the last one may be torn."""
-    rows: list[Row] = []
-    if path.exists():
-        for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
-            try:
-                rows.append(json.loads(line))
-            except json.JSONDecodeError:
-                continue
-    return rows
-
-
 def _read(path: Path) -> list[Row]:
+    """Read the rows of a table; what is no table of ours is refused, lest it be overwritten."""
     if not path.exists():
         return []
-    if path.suffix.lower() == ".parquet":
-        import pyarrow.parquet
-
-        rows: list[Row] = pyarrow.parquet.read_table(path).to_pylist()
-    else:
+    try:
+        if path.suffix.lower() == ".parquet":
+            return _read_parquet(path)
         with path.open(encoding="utf-8", newline="") as file:
-            rows = [_typed(row) for row in csv.DictReader(file)]
-    if rows and not {"model", "model_sha256", "settings_sha256"} <= rows[0].keys():
-        msg = f"{path}: it holds something else than results; name another file"
-        raise SettingError(msg)
-    return rows
+            reader = csv.DictReader(file, strict=True)
+            if reader.fieldnames is not None:
+                _check_columns(path, reader.fieldnames)
+            return [_typed(f"{path}:{reader.line_num}", row) for row in reader]
+    except (UnicodeDecodeError, csv.Error):
+        raise _no_table(path) from None
 
 
-def _typed(cells: Mapping[str, str]) -> Row:
+def _check_columns(path: Path, names: Iterable[str]) -> None:
+    if not set(_KEY_COLUMNS) <= set(names):
+        raise _no_table(path)
+
+
+def _no_table(path: Path) -> SettingError:
+    return SettingError(f"{path}: it holds something else than results; name another file")
+
+
+def _typed(place: str, cells: Mapping[str | None, Any]) -> Row:
+    """Return a row of a CSV file with its values."""
     kinds = COLUMNS | MARKED_COLUMNS
-    return {name: _value(kinds.get(name, str), text) for name, text in cells.items()}
+    try:
+        row = {name: _value(kinds.get(name or "", str), text) for name, text in cells.items()}
+    except (ValueError, TypeError, AttributeError):
+        row = {}
+    if None in row or any(row.get(name) is None for name in ("model", "settings_sha256")):
+        msg = f"{place}: this row is damaged; mend it, or name another file"
+        raise SettingError(msg)
+    return {name: value for name, value in row.items() if name is not None}
 
 
 def _value(kind: type, text: str) -> Any:
     if text == "":
         return None
-    return text == "True" if kind is bool else kind(text)
+    if kind is bool:
+        return {"True": True, "False": False}[text]
+    return text.removeprefix(_QUOTE) if kind is str else kind(text)
+
+
+def _cell(value: Any) -> Any:
+    """Return a value as a spreadsheet takes it: a text that it would compute is quoted."""
+    if isinstance(value, str) and value.startswith(_COMPUTED):
+        return _QUOTE + value
+    return value
 
 
 def _encoded(path: Path, rows: Sequence[Row]) -> bytes:
+    return _parquet(rows) if path.suffix.lower() == ".parquet" else _csv(rows)
+
+
+def _columns(rows: Sequence[Row]) -> dict[str, type]:
+    """Return the columns that some rows have."""
     marked = any(row.get(name) is not None for row in rows for name in MARKED_COLUMNS)
-    columns = COLUMNS | MARKED_COLUMNS if marked else COLUMNS
-    whole = [{name: row.get(name) for name in columns} for row in rows]
-    if path.suffix.lower() == ".parquet":
-        return _parquet(columns, whole)
+    return COLUMNS | MARKED_COLUMNS if marked else COLUMNS
+
+
+def _csv(rows: Sequence[Row]) -> bytes:
     text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, list(columns), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(whole)
+    columns = _columns(rows)
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([_cell(row.get(name)) for name in columns] for row in rows)
     return text.getvalue().encode()
 
 
-def _parquet(columns: Mapping[str, type], rows: list[Row]) -> bytes:
+def _read_parquet(path: Path) -> list[Row]:
     pyarrow = _pyarrow()
+    try:
+        table = pyarrow.parquet.read_table(path)
+    except pyarrow.ArrowException:
+        raise _no_table(path) from None
+    _check_columns(path, table.column_names)
+    rows: list[Row] = table.to_pylist()
+    return rows
+
+
+def _parquet(rows: Sequence[Row]) -> bytes:
+    pyarrow = _pyarrow()
+    columns = _columns(rows)
+    whole = [{name: row.get(name) for name in columns} for row in rows]
     types = {
         str: pyarrow.string(),
         int: pyarrow.int64(),
@@ -178,7 +230,7 @@ def _parquet(columns: Mapping[str, type], rows: list[Row]) -> bytes:
     }
     schema = pyarrow.schema([(name, types[kind]) for name, kind in columns.items()])
     sink = pyarrow.BufferOutputStream()
-    pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows, schema), sink)
+    pyarrow.parquet.write_table(pyarrow.Table.from_pylist(whole, schema), sink)
     return bytes(sink.getvalue())
 
 

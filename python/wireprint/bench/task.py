@@ -10,7 +10,8 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from wireprint._core import WireprintError
+from wireprint._core import WireprintError, __version__
+from wireprint.text import one_line
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -49,6 +50,8 @@ def run(job: Job, task: Task) -> Row | None:
         if path is None:
             return None
         row["error"] = _evaluated(job, task, path, row)
+    if row["error"] is not None:
+        row["error"] = one_line(row["error"])
     row["compute_s"] = time.perf_counter() - begin
     return row
 
@@ -61,6 +64,7 @@ def _evaluated(job: Job, task: Task, path: Path, row: Row) -> str | None:
     try:
         model = load_model(path, **asdict(task.placement))
         settings = Settings.from_mapping(task.settings or job.settings)
+        row["printer"], row["material"] = settings.printer.name, settings.material.name
         job.evaluate(_turned(model, settings, row) if job.orient else model, settings, row)
     except WireprintError as error:
         return str(error).removeprefix(f"{path}: ")
@@ -89,12 +93,13 @@ def _turned(model: Model, settings: Settings, row: Row) -> Model:
 def started(task: Task) -> Row:
     """Return the cells of a row that are known before the work."""
     return {
-        "model": task.model,
+        "model": task.name,
         "model_sha256": task.model_sha256,
         "settings_sha256": task.settings_sha256,
         "scale": task.placement.scale,
         "up": task.placement.up,
         "error": task.error,
+        "version": __version__,
     }
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import importlib
 import os
 import sys
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from wireprint._core import WireprintError, __version__
+from wireprint import streams
+from wireprint._core import __version__
+from wireprint.cli.failure import fail, leave
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,9 +40,6 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
 
 # The command needs no pydantic plugins, and looking for some takes a tenth of a short run.
 os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
-
-EXIT_UNEXPECTED = 1
-EXIT_USAGE = 2
 
 
 class Commands(click.Group):
@@ -73,39 +72,15 @@ class Commands(click.Group):
     ) -> Any:
         """Run, and turn every error into one or two lines and an exit code."""
         name = prog_name or "wireprint"
-        if not standalone_mode:
-            return super().main(args, name, complete_var, standalone_mode=False, **extra)
+        given = list(sys.argv[1:] if args is None else args)
+        streams.open_all()
         try:
-            result = super().main(args, name, complete_var, standalone_mode=False, **extra)
+            result = super().main(given, name, complete_var, standalone_mode=False, **extra)
         except Exception as error:
-            _fail(error)
-        sys.exit(result if isinstance(result, int) else 0)
-
-
-def _fail(error: Exception) -> NoReturn:
-    if os.environ.get("WIREPRINT_TRACEBACK"):
-        raise error
-    if isinstance(error, click.UsageError):
-        message, code = error.format_message(), EXIT_USAGE
-        if error.ctx is not None:
-            message += f"\nTry '{error.ctx.command_path} --help' for help."
-    elif isinstance(error, click.ClickException):
-        message, code = error.format_message(), EXIT_USAGE
-    elif isinstance(error, click.Abort):
-        message, code = "stopped", 130
-    elif isinstance(error, WireprintError):
-        message, code = str(error), error.exit_code
-    elif isinstance(error, OSError):
-        place = f"{error.filename}: " if error.filename else ""
-        message, code = f"{place}{error.strerror or error}", EXIT_USAGE
-    else:
-        message = (
-            f"unexpected {type(error).__name__}: {error}\n"
-            "This is a fault of wireprint; WIREPRINT_TRACEBACK=1 shows where."
-        )
-        code = EXIT_UNEXPECTED
-    click.echo(f"wireprint: error: {message}", err=True)
-    sys.exit(code)
+            if not standalone_mode:
+                raise
+            fail(error, given)
+        return leave(result if isinstance(result, int) else 0) if standalone_mode else result
 
 
 @click.command(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})

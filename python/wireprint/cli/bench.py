@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-import json
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from wireprint import files
 from wireprint.cli.options import Chosen, chosen_from, settings_options
+from wireprint.cli.paths import OutputName
 from wireprint.cli.placement import orient_option, placement_options
 from wireprint.cli.progress import Progress
+from wireprint.cli.say import say_all, say_json
+from wireprint.files import Output
+from wireprint.streams import STREAM
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -29,9 +33,10 @@ SHOWN = 10
     "-o",
     "--output",
     required=True,
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=OutputName(),
     metavar="RESULTS",
-    help="Table to write, .parquet or .csv; rows that are already there are not made again.",
+    help="Table to write, .parquet or .csv; rows that are already there are not made again. "
+    "- writes CSV to stdout, and keeps nothing of a run that is stopped.",
 )
 @click.option(
     "--compare/--no-compare",
@@ -45,9 +50,12 @@ SHOWN = 10
 @placement_options
 @orient_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
+@click.pass_context
 def bench(
+    ctx: click.Context,
+    /,
     models: tuple[str, ...],
-    output: Path,
+    output: str,
     compare: bool,
     jobs: int | None,
     scheduler: str | None,
@@ -59,14 +67,15 @@ def bench(
     """Compare and judge many models at once.
 
     MODELS are files, folders, glob patterns, or manifests: CSV files with a column `name` and, if
-    need be, `scale` and `up_axis`. Each model becomes a row; one that fails has the reason in the
-    column `error`. Projects bring their settings, over which the options are laid; what is marked
-    in a 3MF file is one more condition. A run that was stopped goes on where it was.
+    need be, `scale` and `up_axis`; - is a manifest on stdin. Each model becomes a row; one that
+    fails has the reason in the column `error`. Projects bring their settings, over which the
+    options are laid; what is marked in a 3MF file is one more condition. A run that was stopped
+    goes on where it was.
     """
     from wireprint.bench import figures, run
     from wireprint.bench.plan import Placement, plan
     from wireprint.bench.summary import summary
-    from wireprint.bench.table import Table
+    from wireprint.bench.table import SUFFIXES, Table
     from wireprint.bench.task import Job
 
     chosen = chosen_from(options)
@@ -74,16 +83,32 @@ def bench(
     job = Job(settings, figures.comparison if compare else figures.certificate, orient)
     fingerprint = {"settings": settings, "compare": compare, "orient": orient}
     tasks = plan(models, Placement(**options), fingerprint, partial(_own_settings, chosen))
+    inputs = [*(name for name in models if name != STREAM), *(task.model for task in tasks)]
+    target = files.output(output, "results.csv", SUFFIXES, [*inputs, *chosen.files])
+    picture = _picture(target)
     workers = run.cluster(job, scheduler) if scheduler else run.local(job, jobs)
-    with Progress(len(tasks)) as progress:
+    with Progress(len(tasks), lines=True) as progress:
 
         def show(task: Task, row: Row) -> None:
             progress.show(Path(task.model).name)
-            progress.advance()
+            progress.advance(failed=bool(row["error"]))
 
-        rows = run.run(tasks, Table(output), workers, retry_failed=retry_failed, on_row=show)
-    found = {"results": str(output), "histogram": _histogram(rows, output), **summary(rows)}
-    click.echo(json.dumps(found) if as_json else "\n".join(_lines(found)))
+        target.make_folder()
+        table = Table(target.path)
+        rows = run.run(tasks, table, workers, retry_failed=retry_failed, on_row=show)
+    found = {
+        "results": str(target),
+        "printer": settings["printer"]["name"],
+        "material": settings["material"]["name"],
+        "histogram": _histogram(rows, picture),
+        **summary(rows),
+    }
+    to_stderr = target.path is None
+    if as_json:
+        say_json(found, err=to_stderr)
+    else:
+        say_all(_lines(found), err=to_stderr)
+    ctx.exit(1 if found["failed"] == found["models"] else 0)
 
 
 def _own_settings(chosen: Chosen, path: Path) -> dict[str, Any] | None:
@@ -94,27 +119,38 @@ def _own_settings(chosen: Chosen, path: Path) -> dict[str, Any] | None:
     return None if found is None else chosen.over(found).model_dump(mode="json")
 
 
-def _histogram(rows: Sequence[Row], output: Path) -> str | None:
-    """Draw the wire prints' speed-ups beside the table, if there are any."""
+def _picture(target: Output) -> Output | None:
+    """Return where the histogram goes: beside the table, unless something else is there."""
+    if target.path is None:
+        return None
+    from wireprint.bench.histogram import is_ours
+
+    picture = target.path.with_suffix(".png")
+    if picture.exists() and not is_ours(picture):
+        msg = f"{picture}: this is no histogram of a bench, and would be lost; name another table"
+        raise files.OutputError(msg)
+    return Output(picture)
+
+
+def _histogram(rows: Sequence[Row], picture: Output | None) -> str | None:
+    """Draw the wire prints' speed-ups, if there are any."""
     from wireprint.bench.summary import speedups_of
 
     values = speedups_of(rows, "wireprint")
-    if not values:
+    if not values or picture is None:
         return None
     from wireprint.bench.histogram import png
-    from wireprint.files import written_whole
 
-    picture = output.with_suffix(".png")
     title = f"Wire prints of {len(values)} models"
-    written_whole(picture, png(values, title, "times faster than layer-wise, solid"))
+    picture.write(png(values, title, "times faster than layer-wise, solid"))
     return str(picture)
 
 
 def _lines(found: dict[str, Any]) -> Iterator[str]:
     """Say what the run amounts to."""
     yield (
-        f"{found['results']}: {found['models']} models, {found['certified']} certified, "
-        f"{found['failed']} failed"
+        f"{found['results']}: {found['models']} models on {found['printer']} with "
+        f"{found['material']}, {found['certified']} certified, {found['failed']} failed"
     )
     for condition, spread in found["speedup"].items():
         yield f"  {condition:24}{_spread(spread, '.2f')} times as fast"

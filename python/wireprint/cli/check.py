@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from wireprint import files
+from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
+from wireprint.cli.say import say_all, say_json
+from wireprint.streams import STREAM
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
     from wireprint._core import Mesh
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
@@ -20,7 +25,7 @@ SHOWN = 10
 
 
 @click.command()
-@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("file", type=InputFile())
 @click.option("--printer", help="Profile to judge by; default: the file's own, else kossel-mini.")
 @click.option(
     "--set",
@@ -32,13 +37,13 @@ SHOWN = 10
 @click.option(
     "--model",
     "model_path",
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    type=InputFile(),
     help="Model to compare with, placed by the options below as slice places it.",
 )
 @placement_options
 @click.option(
     "--picture",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=OutputName(),
     help="PNG file to draw the print to, breaches in red.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one object with every breach.")
@@ -50,28 +55,34 @@ def check(
     printer: str | None,
     overrides: tuple[str, ...],
     model_path: Path | None,
-    picture: Path | None,
+    picture: str | None,
     as_json: bool,
     **placement: Any,
 ) -> None:
     """Judge whether a G-code file can be printed.
 
-    FILE may come from any program. The whole head follows every move; the exit code is 1 if it
-    runs into something, or if a strand starts or ends in the air, hangs too far, or leaves the
-    machine's bounds.
+    FILE may come from any program; - is stdin. The whole head follows every move; the exit code is
+    1 if it runs into something, or if a strand starts or ends in the air, hangs too far, or leaves
+    the machine's bounds.
     """
     from wireprint.certificate import check as judge
 
+    target = None
+    if picture is not None:
+        inputs = [path for path in (file, model_path, printer) if path is not None]
+        target = files.output(picture, f"{file.stem}.png", files.PICTURE_SUFFIXES, inputs)
     judge_by = _settings(printer, overrides) if overrides else printer
     certificate = judge(file, judge_by, _model(model_path, placement))
-    if picture is not None:
-        from wireprint.view import render_png
+    to_stderr = picture == STREAM
+    if target is not None:
+        from wireprint.view import render_png, strands_in
 
-        render_png(file, picture, breaches=certificate.breach_points_mm)
+        strands, breaches = strands_in(file), certificate.breach_points_mm
+        target.write(render_png(strands, breaches=breaches, title=file.name))
     if as_json:
-        click.echo(json.dumps({"file": str(file), **certificate.to_dict()}, indent=2))
+        say_json({"file": str(file), **certificate.to_dict()}, indent=2, err=to_stderr)
     else:
-        _show(file, certificate)
+        say_all(_lines(file, certificate), err=to_stderr)
     ctx.exit(0 if certificate.ok else 1)
 
 
@@ -90,25 +101,26 @@ def _model(path: Path | None, placement: dict[str, Any]) -> Mesh | None:
     return load_mesh(path, **placement)
 
 
-def _show(file: Path, certificate: Certificate) -> None:
+def _lines(file: Path, certificate: Certificate) -> Iterator[str]:
+    """Say what the verdict is, and what it rests on."""
     verdict = "printable" if certificate.ok else "not printable"
-    click.echo(
+    yield (
         f"{file}: {verdict} on {certificate.printer} "
         f"({certificate.moves} moves, {certificate.strands} strands)"
     )
     for name, found in certificate.breaches().items():
-        click.echo(f"  {name.replace('_', ' ')}: {len(found)}")
+        yield f"  {name.replace('_', ' ')}: {len(found)}"
         for breach in found[:SHOWN]:
-            click.echo(f"    line {breach.line}: {breach}")
+            yield f"    line {breach.line}: {breach}"
         if len(found) > SHOWN:
-            click.echo(f"    and {len(found) - SHOWN} more")
-    click.echo(
+            yield f"    and {len(found) - SHOWN} more"
+    yield (
         f"  longest span: {certificate.max_span_mm:.1f} mm; "
         f"longest free end: {certificate.max_free_end_mm:.1f} mm"
     )
     if (fidelity := certificate.fidelity) is not None:
-        click.echo(
-            f"  coverage: {fidelity.coverage:.1%} within {fidelity.within_mm:g} mm\n"
+        yield f"  coverage: {fidelity.coverage:.1%} within {fidelity.within_mm:g} mm"
+        yield (
             f"  deviation: {fidelity.deviation_mm:.2f} mm (at most "
             f"{fidelity.max_deviation_mm:.2f}); as chords {fidelity.chord_deviation_mm:.2f} mm "
             f"(at most {fidelity.max_chord_deviation_mm:.2f})"

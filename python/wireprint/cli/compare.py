@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from wireprint import files
 from wireprint.cli.marks import marks_from, marks_options
 from wireprint.cli.options import chosen_from, settings_options
+from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
+from wireprint.cli.say import say, say_json
+from wireprint.streams import STREAM
+from wireprint.text import one_line
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from wireprint.comparison import Comparison
 
 #: Length of the longest bar, characters.
@@ -20,11 +25,11 @@ _BAR = 20
 
 
 @click.command()
-@click.argument("model", type=click.Path(path_type=Path))
+@click.argument("model", type=InputFile())
 @click.option(
     "-o",
     "--output",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=OutputName(),
     metavar="CHART.png",
     help="PNG file to draw a bar chart to.",
 )
@@ -41,7 +46,7 @@ _BAR = 20
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of a table.")
 def compare(
     model: Path,
-    output: Path | None,
+    output: str | None,
     conditions: tuple[str, ...],
     as_json: bool,
     **options: Any,
@@ -56,22 +61,34 @@ def compare(
     from wireprint.comparison import compare as compared
 
     chosen, marks = chosen_from(options), marks_from(options, [model])
+    target = None
+    if output is not None:
+        inputs = [model, *chosen.files, *marks.files]
+        target = files.output(output, f"{model.stem}.png", files.PICTURE_SUFFIXES, inputs)
     loaded = marks.load(model, options)
     settings = chosen.of(loaded)
     found = compared(loaded.mesh, settings, conditions or None, loaded.region)
-    if output is not None:
+    to_stderr = output == STREAM
+    machine = f"{settings.printer.name} with {settings.material.name}"
+    if target is not None:
         from wireprint import chart
-        from wireprint.files import written_whole
 
-        written_whole(output, chart.png(found, f"{model.name} on {settings.printer.name}"))
+        target.write(chart.png(found, one_line(f"{model.name} on {machine}")))
     if as_json:
-        about = {"model": str(model), "printer": settings.printer.name}
-        click.echo(json.dumps(about | found.to_dict(), indent=2))
+        about = {
+            "model": str(model),
+            "printer": settings.printer.name,
+            "material": settings.material.name,
+        }
+        say_json(about | found.to_dict(), indent=2, err=to_stderr)
     else:
-        _show(found)
+        say(f"{model} on {machine}", err=to_stderr)
+        _show(found, to_stderr=to_stderr)
+        for name, reason in found.failures.items():
+            say(f"  {name}: cannot be printed so: {reason}", err=to_stderr)
 
 
-def _show(found: Comparison) -> None:
+def _show(found: Comparison, *, to_stderr: bool) -> None:
     from rich import box
     from rich.console import Console
     from rich.table import Table
@@ -92,4 +109,4 @@ def _show(found: Comparison) -> None:
             f"{row.speedup:.1f}×",
             "█" * max(1, round(_BAR * row.print_time_s / longest_s)),
         )
-    Console().print(table)
+    Console(stderr=to_stderr).print(table)

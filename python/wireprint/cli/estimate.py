@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
+from wireprint.cli.paths import InputFile
+from wireprint.cli.say import say, say_json
 from wireprint.limits import FIRMWARES, Firmware
 from wireprint.timing import Allowances, Choice, Estimate, clock, estimate_files
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 
 @click.command()
@@ -16,7 +20,7 @@ from wireprint.timing import Allowances, Choice, Estimate, clock, estimate_files
     "files",
     nargs=-1,
     required=True,
-    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    type=InputFile(),
 )
 @click.option(
     "--firmware",
@@ -57,8 +61,8 @@ def estimate(
 ) -> None:
     """Tell how long G-code takes to print.
 
-    FILES may come from any program. The time is that of the firmware's own look-ahead planner;
-    homing and heating count nothing unless seconds are allowed for them.
+    FILES may come from any program; - is stdin. The time is that of the firmware's own look-ahead
+    planner; homing and heating count nothing unless seconds are allowed for them.
     """
     choice = Choice(limits, printer, material, firmware)
     allowances = Allowances(homing_s, nozzle_heating_s, bed_heating_s)
@@ -67,24 +71,24 @@ def estimate(
         objects = [
             {"file": str(path), **one.to_dict()} for path, one in zip(files, estimates, strict=True)
         ]
-        click.echo(json.dumps(objects[0] if len(objects) == 1 else objects, indent=2))
+        say_json(objects[0] if len(objects) == 1 else objects, indent=2)
         return
     for path, one in zip(files, estimates, strict=True):
         _show(path, one)
     if len(files) > 1:
-        click.echo(f"all: {clock(sum(one.total_s for one in estimates))}")
+        say(f"all: {clock(sum(one.total_s for one in estimates))}")
 
 
 def _show(path: Path, one: Estimate) -> None:
-    click.echo(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {one.firmware})")
+    say(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {one.firmware})")
     rows = dict(sorted(one.by_feature.items(), key=lambda row: -row[1]))
     rows |= {"homing": one.homing_s, "heating": one.heating_s}
     for name, seconds in rows.items():
         if seconds > 0:
-            click.echo(f"  {name:24} {clock(seconds):>8} {seconds / one.total_s:6.1%}")
-    click.echo(
+            say(f"  {name:24} {clock(seconds):>8} {seconds / one.total_s:6.1%}")
+    say(
         f"  filament: {one.filament_mm:.0f} mm, {one.filament_g:.1f} g, "
         f"cost {one.filament_cost:.2f}; layers: {len(one.by_layer)}"
     )
     if one.garbage_lines:
-        click.echo(f"  lines that firmware would refuse: {one.garbage_lines}", err=True)
+        say(f"  lines that firmware would refuse: {one.garbage_lines}", err=True)

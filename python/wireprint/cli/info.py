@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from wireprint.cli.marks import marks_from, marks_options
 from wireprint.cli.options import chosen_from, settings_options
+from wireprint.cli.paths import InputFile
 from wireprint.cli.placement import orient_option, placement_options
+from wireprint.cli.say import say, say_json
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
 
     from wireprint.orientation import Orientation
     from wireprint.report import Marked
 
 
 @click.command()
-@click.argument("model", type=click.Path(path_type=Path))
+@click.argument("model", type=InputFile())
 @marks_options
 @settings_options
 @placement_options
@@ -58,23 +59,23 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
         "orientation": None if turned is None else turned.to_dict(),
     }
     if as_json:
-        click.echo(json.dumps(found))
+        say_json(found)
         return
     x, y, z = mesh.size_mm
-    click.echo(str(model))
-    click.echo(f"  size       {x:.2f} × {y:.2f} × {z:.2f} mm")
-    click.echo(f"  facets     {mesh.report['facets']} in {mesh.report['components']} parts")
-    click.echo(f"  surface    {mesh.area / 100:.2f} cm²")
-    click.echo(f"  volume     {mesh.volume / 1000:.2f} cm³{'' if found['closed'] else ' (open)'}")
+    say(str(model))
+    say(f"  size       {x:.2f} × {y:.2f} × {z:.2f} mm")
+    say(f"  facets     {mesh.report['facets']} in {mesh.report['components']} parts")
+    say(f"  surface    {mesh.area / 100:.2f} cm²")
+    say(f"  volume     {mesh.volume / 1000:.2f} cm³{'' if found['closed'] else ' (open)'}")
     if marked is not None:
-        click.echo(f"  marked     {_marked(marked)}")
+        say(f"  marked     {_marked(marked)}")
     for sentence in report.repairs(mesh):
-        click.echo(f"  repaired   {sentence}")
+        say(f"  repaired   {sentence}")
     for sentence in report.warnings(mesh):
-        click.echo(f"  note       {sentence}")
+        say(f"  note       {sentence}")
     if turned is not None:
         for line in _poses(turned):
-            click.echo(line)
+            say(line)
 
 
 def _marked(marks: Marked) -> str:

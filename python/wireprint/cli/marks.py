@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from wireprint.cli.paths import InputFile
+from wireprint.mesh import format_of
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
@@ -47,7 +50,7 @@ def marks_options(command: Command) -> Command:
         ),
         click.option(
             "--fill-file",
-            type=click.Path(path_type=Path),
+            type=InputFile(must_be_there=False),
             multiple=True,
             metavar="FILE",
             help="Marks from strokes (.json), or from a painted model (.3mf) that is placed as "
@@ -73,7 +76,7 @@ def marks_options(command: Command) -> Command:
 
 
 def marks_from(options: dict[str, Any], models: Iterable[Path]) -> Marks:
-    """Take the options of `marks_options` out of a command's own.
+    """Take the options of `marks_options` out of a command's own, which `placement_options` has.
 
     Raises
     ------
@@ -86,15 +89,12 @@ def marks_from(options: dict[str, Any], models: Iterable[Path]) -> Marks:
         options.pop("fill_state"),
         options.pop("fill_set"),
     )
-    if (marks.states or marks.sets) and not any(map(_is_3mf, (*models, *marks.files))):
+    formats = [format_of(model, options["file_format"]) for model in models]
+    formats += map(format_of, marks.files)
+    if (marks.states or marks.sets) and "3mf" not in formats:
         name = "--fill-state" if marks.states else "--fill-set"
         raise click.UsageError(f"{name} needs a 3MF file, as MODEL or --fill-file")
     return marks
-
-
-def _is_3mf(path: Path) -> bool:
-    """Whether a path names a 3MF file."""
-    return path.suffix.lower() == ".3mf"
 
 
 @dataclass(frozen=True)
@@ -106,9 +106,10 @@ class Marks:
     states: tuple[int, ...]
     sets: tuple[str, ...]
 
-    def concern(self, path: Path) -> bool:
+    def concern(self, path: Path, placement: dict[str, Any]) -> bool:
         """Whether a model may be marked: here, or by its own file."""
-        return bool(self.fill or self.files or _is_3mf(path))
+        own = format_of(path, placement["file_format"]) == "3mf"
+        return bool(self.fill or self.files or own)
 
     def load(self, path: Path, placement: dict[str, Any]) -> Model:
         """Read a model with its own marks, those of the files and the single ones, in this order.
@@ -134,6 +135,7 @@ class Marks:
         from wireprint.model import load_marks
         from wireprint.regions import document
 
-        if _is_3mf(file):
-            return load_marks(file, states=self.states, sets=self.sets, **placement)
+        if format_of(file) == "3mf":
+            placed = {name: value for name, value in placement.items() if name != "file_format"}
+            return load_marks(file, states=self.states, sets=self.sets, **placed)
         return document.read(file)

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from wireprint.cli.paths import InputFile
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -74,7 +76,7 @@ def settings_options(command: Command) -> Command:
         click.option(
             "--load",
             multiple=True,
-            type=click.Path(path_type=Path),
+            type=InputFile(must_be_there=False),
             metavar="FILE.toml",
             help="File with settings that differ from the profiles; may be repeated.",
         ),
@@ -106,6 +108,12 @@ class Chosen:
     material: str | None
     load: tuple[Path, ...]
     overrides: tuple[str, ...]
+
+    @property
+    def files(self) -> list[Path]:
+        """Files of the user's that are read."""
+        named = [Path(name) for name in (self.printer, self.material) if name is not None]
+        return [*named, *self.load]
 
     def settings(self) -> Settings:
         """Compose the settings from profiles."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from wireprint.mesh import UNITS_MM
+from wireprint.mesh import SUFFIXES, UNITS_MM
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -17,6 +17,12 @@ Command = TypeVar("Command", bound="Callable[..., object]")
 def placement_options(command: Command) -> Command:
     """Add the options that ``wireprint.mesh.load_mesh`` takes, under its parameters' names."""
     options = (
+        click.option(
+            "--format",
+            "file_format",
+            type=click.Choice(SUFFIXES, case_sensitive=False),
+            help="Format of the model; default: what its name ends in.",
+        ),
         click.option("--scale", type=float, default=1.0, help="Factor on the model's size."),
         click.option(
             "--units", type=click.Choice(list(UNITS_MM)), default="mm", help="Unit of the file."

@@ -6,6 +6,7 @@ import click
 
 from wireprint import catalogue
 from wireprint._core import SettingError
+from wireprint.cli.say import say
 
 
 @click.command()
@@ -18,9 +19,9 @@ def profiles(name: str | None) -> None:
     """
     if name is None:
         for kind in catalogue.KINDS:
-            click.echo(f"{kind}:")
+            say(f"{kind}:")
             for known in catalogue.names(kind):
-                click.echo(f"  {known:18}{catalogue.headline(catalogue.find(kind, known))}")
+                say(f"  {known:18}{catalogue.headline(catalogue.find(kind, known))}")
         return
     for kind in catalogue.KINDS:
         if name in catalogue.names(kind):

@@ -1,10 +1,15 @@
-"""A progress bar that shows only where something takes long and somebody looks."""
+"""How far a run is: a bar on a terminal, where it takes long; a line now and then elsewhere."""
 
 from __future__ import annotations
 
 import sys
 import threading
+import time
 from typing import TYPE_CHECKING
+
+from wireprint.cli.say import say
+from wireprint.text import one_line
+from wireprint.timing import clock
 
 if TYPE_CHECKING:
     from typing import Self
@@ -13,13 +18,26 @@ if TYPE_CHECKING:
 
 #: Work that ends sooner shows nothing, s.
 PATIENCE_S = 1.0
+#: Without a terminal, a line is printed no more often than this, s.
+LINE_EVERY_S = 30.0
 
 
 class Progress:
-    """Counts finished models on stderr, if that is a terminal and a second has passed."""
+    """Counts finished models on stderr, if that is a terminal and a second has passed.
 
-    def __init__(self, total: int) -> None:
+    Parameters
+    ----------
+    total
+        How many there are.
+    lines
+        Whether lines are printed where there is no terminal.
+    """
+
+    def __init__(self, total: int, *, lines: bool = False) -> None:
         self._total = total
+        self._lines = lines and not sys.stderr.isatty()
+        self._failed = 0
+        self._begin_s = self._told_s = time.monotonic()
         self._done = 0
         self._text = ""
         self._lock = threading.Lock()
@@ -40,13 +58,22 @@ class Progress:
 
     def show(self, text: str) -> None:
         """Say what is being done."""
-        self._text = text
+        self._text = one_line(text)
         self._update()
 
-    def advance(self) -> None:
+    def advance(self, *, failed: bool = False) -> None:
         """Count one model as finished."""
         self._done += 1
+        self._failed += failed
         self._update()
+        now_s = time.monotonic()
+        if self._lines and now_s - self._told_s >= LINE_EVERY_S:
+            self._told_s = now_s
+            say(
+                f"{self._done} of {self._total} models, {self._failed} failed, "
+                f"{clock(now_s - self._begin_s)}",
+                err=True,
+            )
 
     def clear(self) -> None:
         """Remove the bar, so that other lines may be written."""
@@ -62,7 +89,7 @@ class Progress:
         with self._lock:
             self._bar = rich.progress.Progress(
                 rich.progress.SpinnerColumn(),
-                rich.progress.TextColumn("{task.description}"),
+                rich.progress.TextColumn("{task.description}", markup=False),
                 rich.progress.BarColumn(),
                 rich.progress.MofNCompleteColumn(),
                 rich.progress.TimeElapsedColumn(),

@@ -2,36 +2,41 @@
 
 from __future__ import annotations
 
-import json
-import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from wireprint._core import UnprintableError, WireprintError
-from wireprint.cli.marks import Marks, marks_from, marks_options
-from wireprint.cli.options import Chosen, chosen_from, settings_options
+from wireprint import files
+from wireprint._core import WireprintError
+from wireprint.cli.failure import exit_code_of, say_failure
+from wireprint.cli.marks import marks_from, marks_options
+from wireprint.cli.options import chosen_from, settings_options
+from wireprint.cli.parallel import as_they_finish
+from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import orient_option, placement_options
 from wireprint.cli.progress import Progress
+from wireprint.cli.say import say_all, say_json
+from wireprint.cli.slice_job import Job
+from wireprint.streams import STREAM
+from wireprint.threads import workers
 
 if TYPE_CHECKING:
-    from wireprint._core import Mesh
-    from wireprint.certificate import Certificate
-    from wireprint.regions import Region
-    from wireprint.settings import Settings
+    from wireprint.cli.slice_job import Sliced
+    from wireprint.files import Output
 
 
 @click.command()
-@click.argument("models", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.argument("models", nargs=-1, required=True, type=InputFile(must_be_there=False))
 @click.option(
     "-o",
     "--output",
     required=True,
-    type=click.Path(path_type=Path),
+    type=OutputName(),
     metavar="OUT",
-    help="G-code file to write; for several models, a folder.",
+    help="G-code file to write, - for stdout; a folder for several models.",
 )
 @marks_options
 @settings_options
@@ -40,9 +45,12 @@ if TYPE_CHECKING:
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 @click.option("--force", is_flag=True, help="Write the file even if it breaks the rules.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
+@click.pass_context
 def slice_models(
+    ctx: click.Context,
+    /,
     models: tuple[Path, ...],
-    output: Path,
+    output: str,
     as_json: bool,
     force: bool,
     quiet: bool,
@@ -51,15 +59,16 @@ def slice_models(
 ) -> None:
     """Turn models into wire prints.
 
-    MODEL is an STL, OBJ, PLY, OFF or 3MF file, or a project. Options that name a single setting
-    win over --set, --set wins over --load, and --load over the profiles, or over the settings of
-    a project. What is marked by --fill, or painted in a 3MF file, is printed as layers.
+    MODEL is an STL, OBJ, PLY, OFF or 3MF file, or a project; - is stdin, with --format. Options
+    that name a single setting win over --set, --set wins over --load, and --load over the profiles,
+    or over the settings of a project. What is marked by --fill, or painted in a 3MF file, is
+    printed as layers.
 
     The file is judged before it is written, as by `wireprint check`: one that would drive the head
     into its own strands, or leave them hanging, is refused.
     """
-    targets = _targets(models, output)
     chosen, marks = chosen_from(options), marks_from(options, models)
+    targets = _targets(models, output, [*models, *chosen.files, *marks.files])
     job = Job(
         chosen,
         chosen.recalled(),
@@ -69,118 +78,78 @@ def slice_models(
         compare=as_json or not quiet,
         orient=orient,
     )
-    found: list[dict[str, Any]] = []
-    exit_code = 0
+    told = Told(models, as_json=as_json, quiet=quiet, to_stderr=output == STREAM)
     with Progress(len(models)) as progress:
-        for model, target in zip(models, targets, strict=True):
-            try:
-                found.append(job.run(model, target, progress))
-            except WireprintError as error:
-                if len(models) == 1:
-                    raise
-                exit_code = exit_code or error.exit_code
-                found.append({"model": str(model), "error": str(error)})
-                progress.clear()
-                name = "" if str(error).startswith(str(model)) else f"{model}: "
-                click.echo(f"wireprint: error: {name}{error}", err=True)
-    if as_json:
-        click.echo(json.dumps(found[0] if len(models) == 1 else {"models": found}))
-    elif not quiet:
-        from wireprint.cli.summary import lines
-
-        for figures in found:
-            if "error" not in figures:
-                click.echo("\n".join(lines(figures)))
-    if exit_code:
-        sys.exit(exit_code)
+        calls = [partial(job.run, model, progress) for model in models]
+        for place, found in as_they_finish(calls, workers()):
+            progress.advance()
+            if isinstance(found, BaseException) and len(models) == 1:
+                raise found
+            progress.clear()
+            told.add(place, found, targets[place])
+    told.finish()
+    ctx.exit(told.exit_code)
 
 
-@dataclass(frozen=True)
-class Job:
-    """What all models of one run share."""
+@dataclass
+class Told:
+    """What is said about the models of a run, as they are finished."""
 
-    chosen: Chosen
-    #: What they amount to, unless the model is a project.
-    settings: Settings
-    marks: Marks
-    placement: dict[str, Any]
-    force: bool
-    #: Whether coverage and deviation are asked for.
-    compare: bool
-    #: Whether each model is turned into its best pose.
-    orient: bool
+    models: tuple[Path, ...]
+    as_json: bool
+    quiet: bool
+    to_stderr: bool
+    exit_code: int = 0
+    _figures: dict[int, dict[str, Any]] = field(default_factory=dict)
 
-    def run(self, model: Path, target: Path, progress: Progress) -> dict[str, Any]:
-        """Turn one model into a file; return its figures."""
-        from wireprint.files import written_whole
-        from wireprint.gcode.document import dated
-        from wireprint.pipeline import Clock, make
+    def add(self, place: int, found: Sliced | BaseException, target: Output) -> None:
+        """Write a model's file, and say what came of it."""
+        try:
+            if isinstance(found, BaseException):
+                raise found
+            figures = found.written(target)
+        except (WireprintError, OSError) as error:
+            if len(self.models) == 1:
+                raise
+            self._failed(place, error)
+            return
+        self._figures[place] = figures
+        if not self.as_json and not self.quiet:
+            from wireprint.cli.summary import lines
 
-        clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
-        with clock.stage("load"):
-            mesh, settings, region = self._loaded(model)
-        made = make(
-            mesh,
-            settings,
-            region,
-            date=dated(model),
-            clock=clock,
-            compare=self.compare,
-            orient=self.orient,
-        )
-        warnings = []
-        if made.certificate is not None and not made.certificate.ok:
-            reason = _breaches(made.certificate, settings)
-            if not self.force:
-                raise UnprintableError(f"{model}: {reason}")
-            warnings.append(f"written although {reason}")
-        with clock.stage("write"):
-            written_whole(target, made.gcode)
-        progress.advance()
-        figures = {
-            "model": str(model),
-            "output": str(target),
-            "printer": settings.printer.name,
-            "material": settings.material.name,
-        } | made.figures()
-        return figures | {"warnings": figures["warnings"] + warnings}
+            say_all(lines(figures), err=self.to_stderr)
 
-    def _loaded(self, path: Path) -> tuple[Mesh, Settings, Region | None]:
-        """Read a model; one that cannot be marked is spared what marks import."""
-        if not self.marks.concern(path):
-            from wireprint.mesh import load_mesh
+    def _failed(self, place: int, error: Exception) -> None:
+        model = str(self.models[place])
+        self.exit_code = self.exit_code or exit_code_of(error)
+        self._figures[place] = {"model": model, "error": str(error)}
+        say_failure(error, model)
 
-            return load_mesh(path, **self.placement), self.settings, None
-        model = self.marks.load(path, self.placement)
-        settings = self.settings if model.settings is None else self.chosen.over(model.settings)
-        return model.mesh, settings, model.region
+    def finish(self) -> None:
+        """Print the object that holds all of it, if that is what is asked for."""
+        if self.as_json:
+            every = [self._figures[place] for place in sorted(self._figures)]
+            say_json(every[0] if len(self.models) == 1 else {"models": every}, err=self.to_stderr)
 
 
-def _breaches(certificate: Certificate, settings: Settings) -> str:
-    """Say which rules a file breaks, how often, and where first."""
-    outside = [b.value for b in certificate.out_of_bounds if b.bound == "volume"]
-    if outside:
-        return (
-            f"the print leaves the build volume of {settings.printer.name} "
-            f"({settings.printer.bed}) by {max(outside):.1f} mm; scale it or change the printer"
-        )
-    found = {name: breaches for name, breaches in certificate.breaches().items() if breaches}
-    counts = ", ".join(f"{name.replace('_', ' ')}: {len(list_)}" for name, list_ in found.items())
-    first = min((breach for list_ in found.values() for breach in list_), key=lambda b: b.line)
-    return f"the print would break the rules ({counts}); first in line {first.line}, {first}"
-
-
-def _targets(models: tuple[Path, ...], output: Path) -> list[Path]:
-    """Where each model goes; a folder is made where several models need one."""
-    if len(models) == 1 and not output.is_dir():
-        return [output]
-    targets = [output / f"{model.stem}.gcode" for model in models]
-    twice = sorted({str(target) for target in targets if targets.count(target) > 1})
+def _targets(models: tuple[Path, ...], output: str, inputs: list[Path]) -> list[Output]:
+    """Where each model goes: several go into a folder, which is made where there is none."""
+    if len(models) > 1:
+        path = Path(output)
+        if output == STREAM or (path.exists() and not path.is_dir()):
+            msg = f"{output} is no folder; several models need one"
+            raise click.UsageError(msg)
+        if path.suffix.lower() in files.GCODE_SUFFIXES and not path.exists():
+            msg = f"{output} names one file; several models need a folder"
+            raise click.UsageError(msg)
+        output = f"{output}/"
+    targets = [
+        files.output(output, f"{model.stem}.gcode", files.GCODE_SUFFIXES, inputs)
+        for model in models
+    ]
+    names = [str(target) for target in targets]
+    twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         msg = f"{twice[0]} would be written by several models"
         raise click.UsageError(msg)
-    if output.exists() and not output.is_dir():
-        msg = f"{output} is a file; several models need a folder"
-        raise click.UsageError(msg)
-    output.mkdir(parents=True, exist_ok=True)
     return targets

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from wireprint import files
 from wireprint.cli.marks import marks_from, marks_options
+from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
+from wireprint.cli.say import say
+from wireprint.streams import STREAM, is_stream
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from wireprint.view import Shown
 
 
 class PixelSize(click.ParamType[tuple[int, int]]):
@@ -44,11 +52,11 @@ class Words(click.ParamType[tuple[str, ...]]):
 
 
 @click.command()
-@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("file", type=InputFile())
 @click.option(
     "-o",
     "--output",
-    type=click.Path(path_type=Path),
+    type=OutputName(),
     help="Picture (.png), or page that turns in a browser (.html); default: FILE.png.",
 )
 @click.option(
@@ -66,7 +74,7 @@ class Words(click.ParamType[tuple[str, ...]]):
 @placement_options
 def view(
     file: Path,
-    output: Path | None,
+    output: str | None,
     camera: str,
     size: tuple[int, int],
     travels: bool,
@@ -76,20 +84,26 @@ def view(
 ) -> None:
     """Draw G-code or a model.
 
-    FILE is G-code of any program, or a model. How a model is placed and what is marked on it
-    matters to models alone; size and edges to pictures alone.
+    FILE is G-code of any program, or a model; - is stdin, G-code unless --format tells. How a model
+    is placed and what is marked on it matters to models alone; size and edges to pictures alone.
     """
     from wireprint import view as pictures
 
-    target = output or file.with_suffix(".png")
-    if target.suffix.lower() not in {".png", ".html"}:
-        raise click.UsageError(f"{target}: the output must end in .png or .html")
     marks = marks_from(options, [file])
-    if pictures.is_gcode(file):
+    if output is None and is_stream(file):
+        raise click.UsageError("what comes by a pipe has no name: name the picture with -o")
+    target = files.output(
+        output or file.with_suffix(".png"),
+        f"{file.stem}.png",
+        files.PICTURE_SUFFIXES + files.PAGE_SUFFIXES,
+        [file, *marks.files],
+    )
+    by_stdin = is_stream(file) and options["file_format"] is None
+    if by_stdin or pictures.is_gcode(file):
         if marks.fill or marks.files:
             raise click.UsageError(f"{file}: G-code cannot be marked; mark its model")
-        shown = pictures.load(file)
-    elif marks.concern(file):
+        shown: Shown = pictures.strands_in(file)
+    elif marks.concern(file, options):
         shown = pictures.load(marks.load(file, options))
     else:
         from wireprint.mesh import load_mesh
@@ -101,8 +115,8 @@ def view(
         "travels": travels,
         "title": file.name,
     }
-    if target.suffix.lower() == ".html":
-        pictures.render_html(shown, target, **common)
+    if str(target).lower().endswith(files.PAGE_SUFFIXES):
+        target.write(pictures.render_html(shown, **common).encode())
     else:
-        pictures.render_png(shown, target, size=size, edges=edges, **common)
-    click.echo(f"{target}: {file.name}")
+        target.write(pictures.render_png(shown, size=size, edges=edges, **common))
+    say(f"{target}: {file.name}", err=output == STREAM)

@@ -1,0 +1,24 @@
+"""Errors that name the file they are about."""
+
+from __future__ import annotations
+
+import os
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from wireprint._core import WireprintError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+@contextmanager
+def named(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Put a file's name before errors about it that do not begin with it."""
+    try:
+        yield
+    except WireprintError as error:
+        name = os.fspath(path)
+        if str(error).startswith(name):
+            raise
+        raise type(error)(f"{name}: {error}") from error
