@@ -122,7 +122,11 @@ def test_the_papers_pause_comes_out():
 def test_pauses_are_those_after_which_a_post_bears_the_pull(material, nozzle_mm, still, fan, jets):
     for method, expected in (("none", still), ("fan", fan), ("valve", jets)):
         if expected is not None:
-            overrides = [f"cooling.method={method}", f"head.nozzle_mm={nozzle_mm}"]
+            overrides = [
+                f"cooling.method={method}",
+                f"head.nozzle_mm={nozzle_mm}",
+                "air_mm_s.valve=6000",
+            ]
             found = Settings.load("kossel-mini", material, overrides=overrides).pause_s
             assert found == pytest.approx(expected, rel=0.05)
 

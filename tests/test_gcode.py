@@ -98,12 +98,17 @@ def test_every_flavour_dwells_in_milliseconds_by_p_alone(flavor):
     assert dwells == ["G4 P1000"]
 
 
-@pytest.mark.parametrize("flavor", ["marlin", "reprapfirmware", "repetier"])
+@pytest.mark.parametrize("flavor", ["marlin", "repetier"])
 def test_the_valve_is_switched_only_when_earlier_moves_are_done(flavor):
     text = commands(document.moves(path(**SMALL), settings_for(flavor)))
     switches = [i for i, line in enumerate(text) if line.startswith("M42 P6 S")]
     assert len(switches) == 2
     assert [text[i - 1] for i in switches] == ["M400", "M400"]
+
+
+def test_reprapfirmware_queues_m42_with_its_moves():
+    text = commands(document.moves(path(**SMALL), settings_for("reprapfirmware")))
+    assert [line for line in text if line.startswith("M4")] == ["M42 P6 S1", "M42 P6 S0"]
 
 
 def test_klipper_switches_an_output_pin_and_knows_no_m42():

@@ -338,8 +338,11 @@ class _PathParams(TypedDict):
     travel_mm_s: float
     strategy: str
     cooling: str
+    valve_halts: bool
     pause_s: float
     overshoot_mm: float
+    pressure_lag_s: float
+    pressure_advance: str
     retract_mm: float
     layer_retract_over_mm: float
     retract_speed_mm_s: float

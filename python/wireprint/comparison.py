@@ -106,7 +106,7 @@ def compare(
         except (ModelError, UnprintableError, MemoryLimitError) as error:
             failures[name] = error
             continue
-        text = document.body(path, machine, document.dated(None))
+        text = document.body(path, machine, document.dated(None), wire=name in _WIRED)
         estimate = document.timing(text, machine)
         base_s = found[0].print_time_s if found else estimate.total_s
         found.append(
@@ -203,5 +203,7 @@ _MAKERS: Final[dict[str, Callable[[Mesh, Settings], tuple[Settings, Toolpath]]]]
 
 #: A wire print with layers where something is marked.
 HYBRID: Final = "hybrid"
+#: Conditions of which at least a part is wire.
+_WIRED: Final = frozenset({"wireprint", HYBRID})
 #: Names of the conditions of any model, in order.
 CONDITIONS: Final[tuple[str, ...]] = tuple(_MAKERS)

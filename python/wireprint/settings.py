@@ -164,6 +164,8 @@ class Motion(Section):
     )
     step_distance: Length | None = Field(None, description="mm; delta: travel of one microstep")
     endstop_height: Length | None = Field(None, description="mm; delta: tip over bed after G28")
+    bed_moves_x: bool = Field(False, description="the bed moves along x, and the print with it")
+    bed_moves_y: bool = Field(False, description="the bed moves along y, and the print with it")
     marlin: Marlin | None = Field(None, description="the same for Marlin and its relatives")
 
 
@@ -175,6 +177,12 @@ class Extruder(Section):
     retract_speed_mm_s: float = Field(ge=0.1, le=200)
     unretract_speed_mm_s: float = Field(ge=0.1, le=200)
     max_flow_mm3_s: float = Field(ge=0.01, le=200, description="what the hot end melts")
+    pressure_lag_s: float = Field(
+        0.0,
+        ge=0,
+        le=5,
+        description="of the flow behind the feed, as the firmware's own test tells; 0: not minded",
+    )
 
 
 class Speeds(Section):
@@ -192,7 +200,9 @@ class AirSpeed(Section):
 
     none: float = Field(0.0, ge=0, le=1e5, description="still air")
     fan: float = Field(3000.0, ge=0, le=1e5, description="a part fan's, estimated")
-    valve: float = Field(6000.0, ge=0, le=1e5, description="an air jet's; gives the paper's pause")
+    valve: float = Field(
+        10000.0, ge=0, le=1e5, description="air jets'; with it the paper's pause of 1 s comes out"
+    )
 
 
 class Cooling(Section):
@@ -215,6 +225,10 @@ class Gcode(Section):
 
     flavor: Flavor
     relative_extrusion: bool = Field(True, description="M83, not M82")
+    pressure_advance: bool = Field(
+        True,
+        description="the firmware minds the pressure lag if its flavour can; off: old versions",
+    )
     firmware_retraction: bool = Field(
         False, description="G10 and G11, not moves of E; the firmware must know how far"
     )
@@ -359,6 +373,9 @@ class Wire(Section):
     prime_mm: float = Field(
         5.0, ge=0, le=100, description="filament fed where the print starts; fills the nozzle"
     )
+    bed_accel_mm_s2: Accel = Field(
+        500.0, description="of a bed that moves, lest it sway the print; estimated"
+    )
     travel_lift_mm: float = Field(
         1.0, ge=0, le=50, description="by which a travel clears what stands; two strands' worth"
     )
@@ -485,7 +502,7 @@ class Settings(Section):
     >>> settings.printer.head.slant_deg
     40.0
     >>> round(settings.pause_s, 1)
-    1.2
+    1.0
     """
 
     printer: Printer

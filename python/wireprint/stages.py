@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from wireprint import _core
+from wireprint.gcode.flavors import FLAVORS
 
 if TYPE_CHECKING:
     from wireprint._core import Mesh, Toolpath, Wireframe, _Layered
@@ -103,6 +104,7 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
     """
     printer, wire, regions = settings.printer, settings.wire, settings.regions
     width, depth = printer.bed.size_mm
+    flavor = FLAVORS[printer.gcode.flavor]
     return _core.toolpath(
         wireframe,
         {
@@ -119,8 +121,11 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
             "travel_mm_s": printer.speeds.travel_mm_s,
             "strategy": wire.strategy,
             "cooling": printer.cooling.method,
+            "valve_halts": flavor.valve_halts,
             "pause_s": settings.pause_s,
             "overshoot_mm": wire.overshoot_mm,
+            "pressure_lag_s": printer.extruder.pressure_lag_s,
+            "pressure_advance": flavor.pressure_advance(printer.gcode),
             "retract_mm": printer.extruder.retract_mm,
             "layer_retract_over_mm": regions.retract_over_mm,
             "retract_speed_mm_s": printer.extruder.retract_speed_mm_s,

@@ -75,9 +75,11 @@ def body(
     date: datetime,
     thumbnails: Iterable[Thumbnail] = (),
     remarks: Iterable[str] = (),
+    *,
+    wire: bool = True,
 ) -> bytes:
     """Everything but the footer: `header` and `commands`."""
-    return header(settings, date, thumbnails, remarks) + commands(toolpath, settings)
+    return header(settings, date, thumbnails, remarks) + commands(toolpath, settings, wire=wire)
 
 
 def header(
@@ -100,16 +102,27 @@ def header(
     return "\n".join(lines).encode()
 
 
-def commands(toolpath: Toolpath, settings: Settings) -> bytes:
-    """Return what a printer executes: start, moves, end."""
+def commands(toolpath: Toolpath, settings: Settings, *, wire: bool = True) -> bytes:
+    """Return what a printer executes: start, moves, end.
+
+    Parameters
+    ----------
+    toolpath, settings
+        The moves, and what they were made with.
+    wire
+        Whether it is a wire print, which a moving bed must not sway.
+    """
     gcode = settings.printer.gcode
     material = settings.material
     names: dict[str, Any] = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c}
     park_z = min(toolpath.top_mm + _PARK_MM, settings.printer.bed.height_mm)
+    gentle, usual = _bed_limits(settings) if wire else ("", "")
     parts = [
         _sequence(gcode.start, names).encode(),
         _modes(settings).encode(),
+        gentle.encode(),
         moves(toolpath, settings),
+        usual.encode(),
         _sequence(gcode.end, {"park_z_mm": f"{park_z:.3f}"}).encode(),
     ]
     return b"".join(parts)
@@ -241,8 +254,27 @@ def _sequence(template: str, names: Mapping[str, Any]) -> str:
 
 def _modes(settings: Settings) -> str:
     """Return what the moves build on, whatever the start sequence left behind."""
-    extrusion = "M83" if settings.printer.gcode.relative_extrusion else "M82"
-    return f"G21\nG90\n{extrusion}\nG92 E0\n"
+    gcode, lag_s = settings.printer.gcode, settings.printer.extruder.pressure_lag_s
+    extrusion = "M83" if gcode.relative_extrusion else "M82"
+    flavor = FLAVORS[gcode.flavor]
+    tells_lag = lag_s > 0 and flavor.pressure_advance(gcode) != "none"
+    advance = flavor.advance.format(lag=lag_s) if tells_lag else ""
+    return f"G21\nG90\n{extrusion}\nG92 E0\n{advance}"
+
+
+def _bed_limits(settings: Settings) -> tuple[str, str]:
+    """Return what limits the bed's acceleration while strands stand on it, and what ends that."""
+    motion = settings.printer.motion
+    limit = FLAVORS[settings.printer.gcode.flavor].limit
+    table = limits.of_printer(settings.printer)
+    klipper = limits.firmware_of(settings.printer) == "klipper"
+    gentle, usual = "", ""
+    for index, (axis, moves) in enumerate((("X", motion.bed_moves_x), ("Y", motion.bed_moves_y))):
+        accel = table["max_accel"] if klipper else table["marlin"]["max_accel"][index]
+        if moves and settings.wire.bed_accel_mm_s2 < accel:
+            gentle += limit.format(axis=axis, accel=settings.wire.bed_accel_mm_s2)
+            usual += limit.format(axis=axis, accel=accel)
+    return gentle, usual
 
 
 @lru_cache(maxsize=8)

@@ -57,6 +57,35 @@ fn printing_travelling_and_retracting_have_their_own_accelerations() {
 }
 
 #[test]
+fn linear_advance_limits_the_acceleration_of_strands_alone() {
+    for firmware in BOTH {
+        let jerk = match firmware {
+            Firmware::MarlinJerk => LIMITS.marlin.jerk[3],
+            _ => {
+                let (deviation, accel) =
+                    (LIMITS.marlin.junction_deviation, LIMITS.marlin.max_accel[3]);
+                (FRAC_1_SQRT_2 * deviation * accel / (1.0 - FRAC_1_SQRT_2)).sqrt()
+            }
+        };
+        // As much as lets the extruder jump by its jerk: K · accel · filament for a mm of path.
+        let (factor, feed) = (0.4, 0.2);
+        let accel = jerk / (factor * feed);
+        assert!(accel < LIMITS.marlin.print_accel, "{accel}");
+        // The extruder makes the most steps: 20 · 500 of them.
+        let least = (accel / 200.0).sqrt();
+        let advanced = time(firmware, "M900 K0.4\nG1 X100 E20 F3000");
+        assert_close(advanced, trapezoid_s(accel, least, 50.0, least, 100.0));
+        for same in ["G1 X100 F6000", "G1 X100 E-20 F3000", "G1 E20 F1200", "G1 X1 E4 F600"] {
+            assert_close(time(firmware, &format!("M900 K0.4\n{same}")), time(firmware, same));
+        }
+        for ignored in ["M900 K0", "M900 K30", "M900", "M900 K-1"] {
+            let strand = "G1 X100 E20 F3000";
+            assert_close(time(firmware, &format!("{ignored}\n{strand}")), time(firmware, strand));
+        }
+    }
+}
+
+#[test]
 fn the_slowest_axis_limits_speed_and_acceleration() {
     for firmware in BOTH {
         // At 3:4, z's 12 mm/s and 100 mm/s² are 15 and 125 along the path; z has 320 steps a mm.

@@ -7,7 +7,7 @@ use pyo3::types::{PyDict, PyTuple};
 use wireprint_core::strand::{KINDS, Kind};
 use wireprint_core::toolpath as core;
 
-use wireprint_core::toolpath::{Cooling, PathParams, Plate, Strategy};
+use wireprint_core::toolpath::{Advance, Cooling, PathParams, Plate, Strategy};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
@@ -43,8 +43,11 @@ pub struct PathArgs {
     travel_mm_s: f64,
     strategy: String,
     cooling: String,
+    valve_halts: bool,
     pause_s: f64,
     overshoot_mm: f64,
+    pressure_lag_s: f64,
+    pressure_advance: String,
     retract_mm: f64,
     layer_retract_over_mm: f64,
     retract_speed_mm_s: f64,
@@ -65,10 +68,20 @@ impl PathArgs {
             other => return Err(SettingError::new_err(format!("strategy {other:?} is unknown"))),
         };
         let cooling = match self.cooling.as_str() {
+            "valve" if self.valve_halts => Cooling::HaltingValve,
             "valve" => Cooling::Valve,
             "fan" => Cooling::Fan,
             "none" => Cooling::Still,
             other => return Err(SettingError::new_err(format!("cooling {other:?} is unknown"))),
+        };
+        let advance = match self.pressure_advance.as_str() {
+            "all" => Advance::All,
+            "sideways" => Advance::Sideways,
+            "none" => Advance::None,
+            other => {
+                let message = format!("pressure_advance {other:?} is unknown");
+                return Err(SettingError::new_err(message));
+            }
         };
         Ok(PathParams {
             centre: DVec2::from_array(self.centre_mm),
@@ -89,6 +102,8 @@ impl PathArgs {
             cooling,
             pause: self.pause_s,
             overshoot: self.overshoot_mm,
+            pressure_lag: self.pressure_lag_s,
+            advance,
             retract: self.retract_mm,
             layer_retract_over: self.layer_retract_over_mm,
             retract_speed: self.retract_speed_mm_s,

@@ -23,6 +23,12 @@ const ALIGNED: f64 = 0.999_999;
 const SHORT_D: f64 = 1.0;
 const SHORT_COSINE: f64 = -FRAC_1_SQRT_2;
 
+/// Above so many mm of filament a mm of path a move is none that linear advance is meant for.
+const MOST_FEED: f64 = 3.0;
+
+/// Factors of linear advance above this, s, are refused: they are those of an older kind.
+const MOST_ADVANCE: f64 = 10.0;
+
 /// Which rule limits the speed at a junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Junction {
@@ -66,6 +72,8 @@ pub(super) struct Marlin {
     limits: MarlinLimits,
     junction: Junction,
     core_xy: bool,
+    /// M900 K, s.
+    advance: f64,
     queue: Vec<Move>,
     starts_v2: Vec<f64>,
     previous: Option<Previous>,
@@ -79,6 +87,7 @@ impl Marlin {
             limits: limits.marlin,
             junction,
             core_xy: limits.kinematics == Kinematics::CoreXy,
+            advance: 0.0,
             queue: Vec::new(),
             starts_v2: Vec::new(),
             previous: None,
@@ -131,7 +140,7 @@ impl Marlin {
         self.reached_v2 = f64::INFINITY;
     }
 
-    /// M201, M203, M204 and M205.
+    /// M201, M203, M204, M205 and M900.
     pub(super) fn command(&mut self, command: &Command<'_>) {
         let Command::M(code, words) = command else { return };
         let limits = &mut self.limits;
@@ -146,6 +155,10 @@ impl Marlin {
             205 => {
                 set_axes(&mut limits.jerk, words);
                 set_positive(&mut limits.junction_deviation, words.get(b'J'));
+            }
+            900 => {
+                let factor = words.get(b'K').filter(|k| (0.0..=MOST_ADVANCE).contains(k));
+                self.advance = factor.unwrap_or(self.advance);
             }
             _ => {}
         }
@@ -175,7 +188,29 @@ impl Marlin {
         }
         let accel = if feeds { self.limits.print_accel } else { self.limits.travel_accel };
         let allowed = DVec4::from(self.limits.max_accel) / axes.abs();
-        accel.min(allowed.min_element())
+        accel.min(allowed.min_element()).min(self.advanced(axes.w))
+    }
+
+    /// The acceleration at which the extruder may still jump to what linear advance adds to its
+    /// speed, `feed` being the filament for a mm of path.
+    #[inline]
+    fn advanced(&self, feed: f64) -> f64 {
+        if self.advance > 0.0 && feed > 0.0 && feed <= MOST_FEED {
+            self.extruder_jerk() / (self.advance * feed)
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Greatest jump of the extruder's speed, mm/s; with junction deviation, that which it allows at
+    /// a right angle.
+    fn extruder_jerk(&self) -> f64 {
+        let limits = &self.limits;
+        let deviation = limits.junction_deviation * FRAC_1_SQRT_2 / (1.0 - FRAC_1_SQRT_2);
+        match self.junction {
+            Junction::Jerk => limits.jerk[3],
+            Junction::Deviation => (deviation * limits.max_accel[3]).sqrt(),
+        }
     }
 
     /// Classic jerk: at most this jump of each axis' speed.

@@ -4,7 +4,7 @@ use glam::DVec2;
 use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 
-use super::PathParams;
+use super::params::PathParams;
 use crate::geometry::polygon::convex_hull;
 use crate::strand::{Kind, Strand};
 

@@ -1,29 +1,34 @@
 //! From strands to moves: travels that clear what stands, retractions, skirt and brim.
 
+use std::collections::HashSet;
+
 use glam::{DVec2, DVec3};
 
+use super::Toolpath;
 use super::bed::{brim, skirt};
-use super::mechanics::print;
-use super::{PathParams, Toolpath};
+use super::mechanics::{air, airy_share, speed};
+use super::params::{PathParams, Strategy};
+use super::pressure::{Pressure, wanted};
 use crate::strand::{Kind, Strand};
 
-/// Travels shorter than this, mm, need no retraction: nothing oozes far enough to matter.
+/// Travels shorter than this, mm, the lift aside, need no retraction: little oozes out.
 const SHORT: f64 = 1.0;
 
 /// The moves that print `strands` in their order.
 #[must_use]
 pub fn toolpath(strands: &[Strand], p: &PathParams) -> Toolpath {
-    let mut path = Toolpath::default();
-    let mut top = p.first_layer;
-    let bed: Vec<Strand> = bed_lines(strands, p);
-    for strand in bed.iter().chain(strands) {
-        let strand = placed(strand, p.centre);
-        approach(&mut path, &strand, top, p);
-        print(&mut path, &strand, p);
-        top = top.max(strand.from.z).max(strand.to.z);
+    let all: Vec<Strand> = bed_lines(strands, p)
+        .iter()
+        .chain(strands)
+        .map(|strand| placed(strand, p.centre))
+        .collect();
+    let mut builder = Builder::new(p);
+    for (i, strand) in all.iter().enumerate() {
+        builder.approach(strand);
+        builder.print(strand, all.get(i + 1));
     }
-    leave(&mut path, top, p);
-    path
+    builder.leave();
+    builder.path
 }
 
 fn placed(strand: &Strand, centre: DVec2) -> Strand {
@@ -33,10 +38,8 @@ fn placed(strand: &Strand, centre: DVec2) -> Strand {
 
 /// Brim and skirt as strands, the skirt first.
 fn bed_lines(strands: &[Strand], p: &PathParams) -> Vec<Strand> {
-    let first: Vec<&Strand> = strands
-        .iter()
-        .take_while(|s| s.from.z <= p.first_layer + 1e-9 && s.to.z <= p.first_layer + 1e-9)
-        .collect();
+    let first: Vec<&Strand> =
+        strands.iter().take_while(|s| p.is_on_bed(s.from.z.max(s.to.z))).collect();
     let brim = brim(&first, p);
     let skirt = skirt(&first, &brim, p);
     let rings = skirt.iter().map(|r| (r, Kind::Skirt)).chain(brim.iter().map(|r| (r, Kind::Brim)));
@@ -56,44 +59,153 @@ fn bed_lines(strands: &[Strand], p: &PathParams) -> Vec<Strand> {
         .collect()
 }
 
-/// Brings the head to the strand's beginning: back, up over all that stands, across, down; or
-/// straight, where nothing is in the way.
-fn approach(path: &mut Toolpath, strand: &Strand, top: f64, p: &PathParams) {
-    let (at, slab) = (path.at(), strand.slab);
-    if path.to.is_empty() {
-        path.start = strand.from.truncate().extend(top + p.travel_lift);
+/// A toolpath under way.
+struct Builder<'a> {
+    p: &'a PathParams,
+    path: Toolpath,
+    /// Greatest height of what stands, mm.
+    top: f64,
+    pressure: Pressure,
+    /// Where strands ended so far; only ever asked whether a point is among them.
+    ends: HashSet<[u64; 3]>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(p: &'a PathParams) -> Self {
+        Self {
+            p,
+            path: Toolpath::default(),
+            top: p.first_layer,
+            pressure: Pressure::default(),
+            ends: HashSet::new(),
+        }
+    }
+
+    /// Brings the head to the strand's beginning, the nozzle full.
+    fn approach(&mut self, strand: &Strand) {
+        let wanted = wanted(strand, speed(strand, self.p), self.p);
+        if self.path.to.is_empty() {
+            self.begin(strand);
+            self.pressure.fill(wanted);
+        } else if self.path.at() != strand.from {
+            self.travel(strand);
+        }
+        if let Some(feed) = self.pressure.prepare(wanted) {
+            self.feed(strand, feed, 0.0);
+        }
+    }
+
+    /// Comes down to the first strand and fills the nozzle.
+    fn begin(&mut self, strand: &Strand) {
+        let (p, path, slab) = (self.p, &mut self.path, strand.slab);
+        path.start = strand.from.truncate().extend(self.top + p.travel_lift);
         path.travel(path.start, p.travel_speed, slab);
         path.travel(strand.from, p.travel_speed, slab);
         if p.prime > 0.0 {
             path.add(strand.from, Kind::Unretract, p.unretract_speed, p.prime, slab);
         }
-        return;
     }
-    if at == strand.from {
-        return;
+
+    /// Travels: back, up over all that stands, across, down; or straight, where nothing is in the
+    /// way.
+    fn travel(&mut self, strand: &Strand) {
+        let (p, path, slab) = (self.p, &mut self.path, strand.slab);
+        let (at, over) = (path.at(), self.top + p.travel_lift);
+        let short = if strand.direct { p.layer_retract_over } else { SHORT };
+        // How far the head goes, the lift aside: over whatever stands higher than both ends.
+        let climb = if strand.direct { 0.0 } else { self.top - at.z.max(strand.from.z) };
+        let far = at.distance(strand.from) + climb.max(0.0) > short && p.retract > 0.0;
+        let pulled = self.pressure.left_of(p.retract, p);
+        if far {
+            path.add(at, Kind::Retract, p.retract_speed, -pulled, slab);
+        }
+        if !strand.direct {
+            path.travel(DVec3::new(at.x, at.y, over.max(at.z)), p.travel_speed, slab);
+            path.travel(strand.from.truncate().extend(over.max(at.z)), p.travel_speed, slab);
+        }
+        path.travel(strand.from, p.travel_speed, slab);
+        if far {
+            path.add(strand.from, Kind::Unretract, p.unretract_speed, pulled, slab);
+        }
     }
-    let over = top + p.travel_lift;
-    let short = if strand.direct { p.layer_retract_over } else { SHORT };
-    let far = at.distance(strand.from) > short && p.retract > 0.0;
-    if far {
-        path.add(at, Kind::Retract, p.retract_speed, -p.retract, slab);
+
+    /// Prints a strand, which `next` may go on from.
+    fn print(&mut self, strand: &Strand, next: Option<&Strand>) {
+        let p = self.p;
+        let speed = speed(strand, p);
+        let feed = strand.from.distance(strand.to) * p.feed_per_mm() * strand.flow;
+        let airy = airy_share(strand, self.lands(strand, next), p);
+        let blows = air(strand, p);
+        if airy < 1.0 {
+            let to = strand.from.lerp(strand.to, airy);
+            self.path.push(strand, to, speed, airy * feed, 0.0, blows);
+            self.path.push(strand, strand.to, speed, (1.0 - airy) * feed, 0.0, false);
+        } else {
+            self.path.push(strand, strand.to, speed, feed, 0.0, blows);
+        }
+        match p.strategy {
+            Strategy::Pause if strand.floating => self.pause(strand),
+            Strategy::Overshoot if strand.floating => {
+                // The head draws the soft strand on without feeding it: what is fed up there
+                // would stand in the way back.
+                let beyond = strand.to + DVec3::Z * p.overshoot;
+                self.path.travel(beyond, speed, strand.slab);
+                self.path.travel(strand.to, p.travel_speed, strand.slab);
+            }
+            _ => {}
+        }
+        self.top = self.top.max(strand.from.z).max(strand.to.z);
+        self.ends.extend([bits(strand.from), bits(strand.to)]);
     }
-    if !strand.direct {
-        path.travel(DVec3::new(at.x, at.y, over.max(at.z)), p.travel_speed, slab);
-        path.travel(strand.from.truncate().extend(over.max(at.z)), p.travel_speed, slab);
+
+    /// Whether a strand ends on printed material, rather than goes on in the air.
+    fn lands(&self, strand: &Strand, next: Option<&Strand>) -> bool {
+        let goes_on = next.is_some_and(|n| n.from == strand.to && n.kind == strand.kind);
+        !strand.floating && (!goes_on || self.ends.contains(&bits(strand.to)))
     }
-    path.travel(strand.from, p.travel_speed, slab);
-    if far {
-        path.add(strand.from, Kind::Unretract, p.unretract_speed, p.retract, slab);
+
+    /// Stands still at the end of a strand until it holds.
+    fn pause(&mut self, strand: &Strand) {
+        let p = self.p;
+        match self.pressure.ease() {
+            // To pull filament back and to give it again takes time in which the strand holds, too.
+            Some(eased) => {
+                let standing = eased * (p.retract_speed.recip() + p.unretract_speed.recip());
+                self.feed(strand, -eased, (p.pause - standing).max(p.pause / 2.0));
+            }
+            None => {
+                if let Some(pause) = self.path.pause.last_mut() {
+                    *pause = p.pause;
+                }
+            }
+        }
+    }
+
+    /// Feeds filament in place as part of a strand, or pulls it back, and then stands still.
+    fn feed(&mut self, strand: &Strand, feed: f64, pause: f64) {
+        let (p, path) = (self.p, &mut self.path);
+        let speed = if feed > 0.0 { p.unretract_speed } else { p.retract_speed };
+        path.add(path.at(), strand.kind, speed, feed, strand.slab);
+        if let Some(last) = path.pause.last_mut() {
+            *last = pause;
+        }
+    }
+
+    /// Ends above all that stands, the filament pulled back.
+    fn leave(&mut self) {
+        let (p, path) = (self.p, &mut self.path);
+        let Some(&slab) = path.slab.last() else { return };
+        let at = path.at();
+        let pulled = self.pressure.left_of(p.retract, p);
+        if p.retract > 0.0 {
+            path.add(at, Kind::Retract, p.retract_speed, -pulled, slab);
+        }
+        let over = (self.top + p.travel_lift).max(at.z);
+        path.travel(at.with_z(over), p.travel_speed, slab);
     }
 }
 
-/// Ends above all that stands, the filament pulled back.
-fn leave(path: &mut Toolpath, top: f64, p: &PathParams) {
-    let Some(&slab) = path.slab.last() else { return };
-    let at = path.at();
-    if p.retract > 0.0 {
-        path.add(at, Kind::Retract, p.retract_speed, -p.retract, slab);
-    }
-    path.travel(DVec3::new(at.x, at.y, top + p.travel_lift), p.travel_speed, slab);
+/// A point as what can be looked up: strands that meet do so in the very same point.
+fn bits(p: DVec3) -> [u64; 3] {
+    p.to_array().map(f64::to_bits)
 }

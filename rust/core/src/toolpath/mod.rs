@@ -3,13 +3,13 @@
 mod bed;
 mod build;
 mod mechanics;
+mod params;
+mod pressure;
 
-use std::f64::consts::FRAC_PI_4;
-
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 pub use build::toolpath;
-pub use mechanics::{Cooling, Strategy};
+pub use params::{Advance, Cooling, PathParams, Plate, Strategy};
 
 use crate::strand::{Kind, Strand};
 
@@ -24,7 +24,8 @@ pub struct Toolpath {
     pub kind: Vec<Kind>,
     /// Speed along the path (or of the filament for a retraction), mm/s.
     pub speed: Vec<f64>,
-    /// Filament fed, mm; negative for a retraction.
+    /// Filament fed, mm; negative where it is pulled back, as for a retraction, or in place under
+    /// a strand's kind to take pressure off the nozzle.
     pub filament: Vec<f64>,
     /// Dwell at the end of the move, s.
     pub pause: Vec<f64>,
@@ -32,91 +33,6 @@ pub struct Toolpath {
     pub air: Vec<bool>,
     /// Index of the slab that the move belongs to.
     pub slab: Vec<u32>,
-}
-
-/// The bed, about its centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Plate {
-    /// A disc of this radius, mm.
-    Round(f64),
-    /// A rectangle that reaches this far along x and y, mm.
-    Rectangle(DVec2),
-}
-
-impl Plate {
-    /// Whether a point, relative to the bed's centre, lies on it.
-    #[must_use]
-    pub fn holds(&self, p: DVec2) -> bool {
-        match *self {
-            Self::Round(radius) => p.length() <= radius,
-            Self::Rectangle(half) => p.abs().cmple(half).all(),
-        }
-    }
-}
-
-/// What the toolpath depends on; lengths in mm, speeds in mm/s, times in s.
-#[derive(Debug, Clone, Copy)]
-pub struct PathParams {
-    /// The bed's centre, where the model's stands.
-    pub centre: DVec2,
-    /// The bed; rings that leave it are not printed.
-    pub plate: Plate,
-    /// Diameter of a free strand.
-    pub strand: f64,
-    /// Diameter of the filament.
-    pub filament: f64,
-    /// Height of the first contours.
-    pub first_layer: f64,
-    /// Speed of extruding.
-    pub print_speed: f64,
-    /// Speed of extruding onto the bed.
-    pub bed_speed: f64,
-    /// Speed of extruding layers.
-    pub layer_speed: f64,
-    /// Speed of floating strokes under [`Strategy::Slow`].
-    pub slow_speed: f64,
-    /// Speed of travelling.
-    pub travel_speed: f64,
-    /// What makes floating strokes hold.
-    pub strategy: Strategy,
-    /// How strands are cooled.
-    pub cooling: Cooling,
-    /// Pause at the end of a floating stroke under [`Strategy::Pause`].
-    pub pause: f64,
-    /// Way past the end of a floating stroke under [`Strategy::Overshoot`].
-    pub overshoot: f64,
-    /// Filament pulled back before a travel.
-    pub retract: f64,
-    /// Straight travels between a layer's lines that are no longer need no retraction.
-    pub layer_retract_over: f64,
-    /// Speed of pulling back.
-    pub retract_speed: f64,
-    /// Speed of pushing forward again.
-    pub unretract_speed: f64,
-    /// Filament fed before the first strand, to fill the nozzle.
-    pub prime: f64,
-    /// Height of a travel above all that is printed.
-    pub travel_lift: f64,
-    /// Rings around the print that prime the nozzle.
-    pub skirt_rings: u32,
-    /// Distance of the skirt from the print.
-    pub skirt_gap: f64,
-    /// Flat rings around each first contour.
-    pub brim_rings: u32,
-}
-
-impl PathParams {
-    /// Filament for each mm of strand, mm: volume π/4·strand² over the filament's cross-section.
-    #[must_use]
-    pub fn feed_per_mm(&self) -> f64 {
-        (self.strand / self.filament).powi(2)
-    }
-
-    /// Cross-section of the filament, mm².
-    #[must_use]
-    pub fn filament_area(&self) -> f64 {
-        FRAC_PI_4 * self.filament * self.filament
-    }
 }
 
 /// Sums over a toolpath.

@@ -1,0 +1,135 @@
+//! What the toolpath depends on.
+
+use std::f64::consts::FRAC_PI_4;
+
+use glam::DVec2;
+
+/// The bed, about its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Plate {
+    /// A disc of this radius, mm.
+    Round(f64),
+    /// A rectangle that reaches this far along x and y, mm.
+    Rectangle(DVec2),
+}
+
+impl Plate {
+    /// Whether a point, relative to the bed's centre, lies on it.
+    #[must_use]
+    pub fn holds(&self, p: DVec2) -> bool {
+        match *self {
+            Self::Round(radius) => p.length() <= radius,
+            Self::Rectangle(half) => p.abs().cmple(half).all(),
+        }
+    }
+}
+
+/// What makes a stroke that ends in the air hold its shape (paper, "Experimentation").
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Strategy {
+    /// Full speed, then a pause at the end of each floating stroke: the paper's choice.
+    Pause,
+    /// Slow motion and no pause.
+    Slow,
+    /// Full speed, then up past the end and back: anticipates the sag (the paper's figure 14).
+    Overshoot,
+}
+
+/// How strands are cooled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cooling {
+    /// An air jet behind a valve that the firmware opens and closes in step with the moves.
+    Valve,
+    /// An air jet behind a valve that the firmware works only when the head stands still.
+    HaltingValve,
+    /// A part fan: too slow for strokes, so it stays on above the first contours.
+    Fan,
+    /// Still air.
+    Still,
+}
+
+/// For which strokes the firmware itself makes up for the pressure in the nozzle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Advance {
+    /// For all.
+    All,
+    /// For those that move along x or y.
+    Sideways,
+    /// For none.
+    None,
+}
+
+/// What the toolpath depends on; lengths in mm, speeds in mm/s, times in s.
+#[derive(Debug, Clone, Copy)]
+pub struct PathParams {
+    /// The bed's centre, where the model's stands.
+    pub centre: DVec2,
+    /// The bed; rings that leave it are not printed.
+    pub plate: Plate,
+    /// Diameter of a free strand.
+    pub strand: f64,
+    /// Diameter of the filament.
+    pub filament: f64,
+    /// Height of the first contours.
+    pub first_layer: f64,
+    /// Speed of extruding.
+    pub print_speed: f64,
+    /// Speed of extruding onto the bed.
+    pub bed_speed: f64,
+    /// Speed of extruding layers.
+    pub layer_speed: f64,
+    /// Speed of floating strokes under [`Strategy::Slow`].
+    pub slow_speed: f64,
+    /// Speed of travelling.
+    pub travel_speed: f64,
+    /// What makes floating strokes hold.
+    pub strategy: Strategy,
+    /// How strands are cooled.
+    pub cooling: Cooling,
+    /// Pause at the end of a floating stroke under [`Strategy::Pause`].
+    pub pause: f64,
+    /// Way past the end of a floating stroke under [`Strategy::Overshoot`].
+    pub overshoot: f64,
+    /// Time by which the flow lags behind the feed.
+    pub pressure_lag: f64,
+    /// For which strokes the firmware makes up for that lag.
+    pub advance: Advance,
+    /// Filament pulled back before a travel.
+    pub retract: f64,
+    /// Straight travels between a layer's lines that are no longer need no retraction.
+    pub layer_retract_over: f64,
+    /// Speed of pulling back.
+    pub retract_speed: f64,
+    /// Speed of pushing forward again.
+    pub unretract_speed: f64,
+    /// Filament fed before the first strand, to fill the nozzle.
+    pub prime: f64,
+    /// Height of a travel above all that is printed.
+    pub travel_lift: f64,
+    /// Rings around the print that prime the nozzle.
+    pub skirt_rings: u32,
+    /// Distance of the skirt from the print.
+    pub skirt_gap: f64,
+    /// Flat rings around each first contour.
+    pub brim_rings: u32,
+}
+
+impl PathParams {
+    /// Filament for each mm of strand, mm: volume π/4·strand² over the filament's cross-section.
+    #[must_use]
+    pub fn feed_per_mm(&self) -> f64 {
+        (self.strand / self.filament).powi(2)
+    }
+
+    /// Cross-section of the filament, mm².
+    #[must_use]
+    pub fn filament_area(&self) -> f64 {
+        FRAC_PI_4 * self.filament * self.filament
+    }
+
+    /// Whether something at this height lies on the bed.
+    #[must_use]
+    pub fn is_on_bed(&self, z: f64) -> bool {
+        z <= self.first_layer + 1e-9
+    }
+}

@@ -1,0 +1,428 @@
+//! Stage 5: what the head does with strands, against plain expectations.
+
+use glam::{DVec2, DVec3};
+use proptest::prelude::*;
+use wireprint_core::strand::{Kind, Strand};
+use wireprint_core::toolpath::{
+    Advance, Cooling, PathParams, Plate, Strategy as Holding, Toolpath, toolpath,
+};
+
+/// A 0.7 mm strand from 1.75 mm filament, nothing on the bed but the print.
+const PARAMS: PathParams = PathParams {
+    centre: DVec2::new(100.0, 80.0),
+    plate: Plate::Rectangle(DVec2::new(100.0, 80.0)),
+    strand: 0.7,
+    filament: 1.75,
+    first_layer: 0.35,
+    print_speed: 30.0,
+    bed_speed: 20.0,
+    layer_speed: 15.0,
+    slow_speed: 5.0,
+    travel_speed: 150.0,
+    strategy: Holding::Pause,
+    cooling: Cooling::Valve,
+    pause: 1.2,
+    overshoot: 0.5,
+    pressure_lag: 0.0,
+    advance: Advance::None,
+    retract: 4.0,
+    layer_retract_over: 2.0,
+    retract_speed: 30.0,
+    unretract_speed: 25.0,
+    prime: 5.0,
+    travel_lift: 1.0,
+    skirt_rings: 0,
+    skirt_gap: 3.0,
+    brim_rings: 0,
+};
+
+fn strand(from: [f64; 3], to: [f64; 3], kind: Kind) -> Strand {
+    Strand {
+        from: from.into(),
+        to: to.into(),
+        kind,
+        slab: 0,
+        floating: kind == Kind::Post,
+        flow: 1.0,
+        direct: false,
+    }
+}
+
+fn strands_along(points: &[[f64; 3]], kind: Kind) -> Vec<Strand> {
+    points.windows(2).map(|pair| strand(pair[0], pair[1], kind)).collect()
+}
+
+/// A square on the bed, a zigzag over one of its sides, and the contour through its peaks, bent in
+/// the middle of its last stretch.
+fn fence() -> Vec<Strand> {
+    let mut all = strands_along(
+        &[[0.0, 0.0, 0.35], [20.0, 0.0, 0.35], [20.0, 20.0, 0.35], [0.0, 0.0, 0.35]],
+        Kind::Contour,
+    );
+    for i in 0..3 {
+        let x = 8.0 * f64::from(i);
+        all.push(strand([x, 0.0, 0.35], [x, 0.0, 6.0], Kind::Post));
+        if i < 2 {
+            all.push(strand([x, 0.0, 6.0], [x + 8.0, 0.0, 0.35], Kind::Diagonal));
+        }
+    }
+    let top = [[16.0, 0.0, 6.0], [8.0, 0.0, 6.0], [5.0, 1.0, 6.0], [0.0, 0.0, 6.0]];
+    all.extend(strands_along(&top, Kind::Contour));
+    all
+}
+
+/// One move as the head makes it.
+#[derive(Debug, Clone, Copy)]
+struct Move {
+    from: DVec3,
+    to: DVec3,
+    kind: Kind,
+    speed: f64,
+    filament: f64,
+    pause: f64,
+    air: bool,
+}
+
+impl Move {
+    fn length(&self) -> f64 {
+        self.from.distance(self.to)
+    }
+
+    fn is_strand(&self) -> bool {
+        !matches!(self.kind, Kind::Travel | Kind::Retract | Kind::Unretract) && self.length() > 0.0
+    }
+}
+
+fn moves(path: &Toolpath) -> Vec<Move> {
+    let mut from = path.start;
+    let each = (0..path.to.len()).map(|i| {
+        let to = path.to[i];
+        Move {
+            from: std::mem::replace(&mut from, to),
+            to,
+            kind: path.kind[i],
+            speed: path.speed[i],
+            filament: path.filament[i],
+            pause: path.pause[i],
+            air: path.air[i],
+        }
+    });
+    each.collect()
+}
+
+fn plan(strands: &[Strand], p: &PathParams) -> Vec<Move> {
+    moves(&toolpath(strands, p))
+}
+
+/// Strands that begin anywhere: each other one goes on from the last.
+fn anywhere() -> impl Strategy<Value = Vec<Strand>> {
+    let place = prop::array::uniform3(0.0..40.0_f64);
+    prop::collection::vec((place.clone(), place, any::<bool>()), 2..20).prop_map(|places| {
+        let mut strands: Vec<Strand> = Vec::new();
+        for (from, to, goes_on) in places {
+            let from = strands.last().filter(|_| goes_on).map_or(from, |s| s.to.to_array());
+            strands.push(strand(from, to, Kind::Cap));
+        }
+        strands
+    })
+}
+
+proptest! {
+    #[test]
+    fn travels_clear_all_that_stands(strands in anywhere()) {
+        let mut top = PARAMS.first_layer;
+        for m in plan(&strands, &PARAMS) {
+            let sideways = m.from.truncate().distance(m.to.truncate());
+            if m.kind == Kind::Travel && sideways > 1e-9 {
+                prop_assert!((m.from.z - m.to.z).abs() < 1e-9, "{m:?} is not level");
+                prop_assert!(m.from.z >= top + PARAMS.travel_lift - 1e-9, "{m:?} under {top}");
+            }
+            if m.is_strand() {
+                top = top.max(m.from.z).max(m.to.z);
+            }
+        }
+    }
+
+    #[test]
+    fn a_travel_goes_with_the_filament_pulled_back(strands in anywhere(), lag in 0.0..0.5_f64) {
+        let p = PathParams { pressure_lag: lag, ..PARAMS };
+        let (mut back, mut primed) = (0.0_f64, false);
+        for m in plan(&strands, &p) {
+            match m.kind {
+                // Down to the first strand there is nothing yet that could ooze out.
+                Kind::Travel if m.length() > 1.0 + p.travel_lift && primed => {
+                    prop_assert!((back - p.retract).abs() < 1e-9, "{back} mm back at {m:?}");
+                }
+                Kind::Retract => back -= m.filament,
+                Kind::Unretract => {
+                    back -= if primed { m.filament } else { 0.0 };
+                    primed = true;
+                }
+                _ if m.is_strand() => prop_assert!(back.abs() < 1e-9, "{back} mm missing at {m:?}"),
+                _ => {}
+            }
+        }
+        prop_assert!((back - p.retract).abs() < 1e-9, "the print ends with {back} mm back");
+    }
+
+    #[test]
+    fn filament_adds_up(strands in anywhere(), lag in 0.0..0.5_f64, floats in any::<bool>()) {
+        let p = PathParams { pressure_lag: lag, ..PARAMS };
+        let strands: Vec<Strand> =
+            strands.into_iter().map(|s| Strand { floating: floats, ..s }).collect();
+        let path = toolpath(&strands, &p);
+        let length: f64 = strands.iter().map(|s| s.from.distance(s.to)).sum();
+        // A 0.7 mm strand takes 0.16 of its length of 1.75 mm filament. What a first stroke on the
+        // bed lacks of the pressure that faster ones want is fed once.
+        let melt = 0.16 * length + p.prime - p.retract;
+        let slack = lag * 0.16 * p.print_speed;
+        let found = path.figures().filament;
+        prop_assert!((found - melt).abs() <= slack + 1e-6, "{found} mm fed for {melt}");
+    }
+}
+
+#[test]
+fn short_hops_keep_their_filament() {
+    let near = [
+        strand([0.0, 0.0, 0.35], [9.0, 0.0, 0.35], Kind::Contour),
+        strand([9.5, 0.0, 0.35], [20.0, 0.0, 0.35], Kind::Contour),
+    ];
+    let kinds: Vec<Kind> = plan(&near, &PARAMS).iter().map(|m| m.kind).collect();
+    let last = kinds.iter().rposition(|&kind| kind == Kind::Contour).unwrap();
+    assert!(!kinds[..last].contains(&Kind::Retract), "{kinds:?}");
+}
+
+#[test]
+fn a_pause_ends_every_floating_stroke_and_nothing_else() {
+    for m in plan(&fence(), &PARAMS) {
+        let expected = if m.kind == Kind::Post { PARAMS.pause } else { 0.0 };
+        assert!((m.pause - expected).abs() < 1e-12, "{m:?}");
+    }
+}
+
+#[test]
+fn a_slow_head_pauses_nowhere_and_crawls_where_strands_hang() {
+    for m in plan(&fence(), &PathParams { strategy: Holding::Slow, ..PARAMS }) {
+        let expected = match m.kind {
+            Kind::Post | Kind::Diagonal => 5.0,
+            Kind::Contour if m.to.z < 1.0 => 20.0,
+            Kind::Contour => 30.0,
+            _ => continue,
+        };
+        assert!((m.speed - expected).abs() < 1e-12, "{m:?}");
+        assert!(m.pause == 0.0, "{m:?}");
+    }
+}
+
+#[test]
+fn the_air_stops_two_diameters_short_of_what_a_strand_lands_on() {
+    let bond = 1.4;
+    let mut airy = 0;
+    let mut all = fence();
+    all.push(strand([0.0, 0.0, 6.0], [16.0, 9.0, 6.0], Kind::Cap));
+    let path = plan(&all, &PARAMS);
+    for (m, next) in path.iter().zip(path.iter().skip(1).map(Some).chain([None])) {
+        if m.is_strand() {
+            let on_bed = m.from.z.max(m.to.z) < 1.0;
+            let is_bond = !on_bed && (m.length() - bond).abs() < 1e-9;
+            assert_eq!(m.air, !on_bed && !is_bond, "{m:?}");
+            airy += usize::from(is_bond);
+            // Where it goes on with air, it is cut: the rest of the strand is its bond.
+            let cut = next.filter(|n| m.air && n.is_strand() && !n.air);
+            assert!(cut.is_none_or(|n| n.kind == m.kind && (n.length() - bond).abs() < 1e-9));
+        }
+    }
+    // Two diagonals, the contour at two peaks (not at its bend in between), and the cap.
+    assert_eq!(airy, 2 + 2 + 1);
+}
+
+#[test]
+fn too_short_a_stroke_keeps_its_air() {
+    let short = [
+        strand([0.0, 0.0, 6.0], [4.0, 0.0, 6.0], Kind::Cap),
+        strand([0.0, 5.0, 6.0], [5.0, 5.0, 6.0], Kind::Cap),
+    ];
+    let path = plan(&short, &PARAMS);
+    let strands: Vec<(f64, bool)> =
+        path.iter().filter(|m| m.is_strand()).map(|m| (m.length(), m.air)).collect();
+    assert_eq!(strands.len(), 3);
+    assert_eq!(strands.iter().map(|s| s.1).collect::<Vec<_>>(), [true, true, false]);
+}
+
+#[test]
+fn a_valve_that_halts_the_head_is_opened_once() {
+    let path = plan(&fence(), &PathParams { cooling: Cooling::HaltingValve, ..PARAMS });
+    let first = path.iter().position(|m| m.air).unwrap();
+    assert!(path[..first].iter().filter(|m| m.is_strand()).all(|m| m.to.z < 1.0));
+    assert!(path[first..].iter().all(|m| m.air), "it is closed in mid-air");
+}
+
+#[test]
+fn a_fan_blows_above_the_bed_and_still_air_never() {
+    for (cooling, blows) in [(Cooling::Fan, true), (Cooling::Still, false)] {
+        for m in plan(&fence(), &PathParams { cooling, ..PARAMS }) {
+            assert!(!m.is_strand() || m.air == (blows && m.from.z.max(m.to.z) > 1.0), "{m:?}");
+        }
+    }
+}
+
+#[test]
+fn stacked_layers_bond_without_an_air_jet() {
+    let wall = strands_along(&[[0.0, 0.0, 6.0], [9.0, 0.0, 6.0], [9.0, 9.0, 6.0]], Kind::LayerWise);
+    for (cooling, blows) in
+        [(Cooling::Valve, false), (Cooling::HaltingValve, false), (Cooling::Fan, true)]
+    {
+        let path = plan(&wall, &PathParams { cooling, ..PARAMS });
+        assert!(path.iter().filter(|m| m.is_strand()).all(|m| m.air == blows));
+    }
+}
+
+/// Filament fed in place under a strand's kind, with the place and the pause that follows.
+fn fed_in_place(path: &[Move]) -> Vec<(f64, DVec3, f64)> {
+    let own = |m: &&Move| !matches!(m.kind, Kind::Travel | Kind::Retract | Kind::Unretract);
+    let standing = path.iter().filter(own).filter(|m| m.length() == 0.0);
+    standing.map(|m| (m.filament, m.to, m.pause)).collect()
+}
+
+#[test]
+fn without_pressure_advance_the_nozzle_is_relieved_while_the_head_stands() {
+    let p = PathParams { pressure_lag: 0.4, ..PARAMS };
+    let path = plan(&fence(), &p);
+    // 0.16 mm of filament a mm: 3.2 mm/s on the bed, 4.8 in the air.
+    let (bed, full) = (0.4 * 3.2, 0.4 * 4.8);
+    let fed = fed_in_place(&path);
+    let amounts: Vec<f64> = fed.iter().map(|f| f.0).collect();
+    let expected = [full - bed, -full, full, -full, full, -full, full];
+    assert_eq!(amounts.len(), expected.len(), "{amounts:?}");
+    assert!(amounts.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{amounts:?}");
+    for &(amount, at, pause) in &fed {
+        if amount < 0.0 {
+            assert!((at.z - 6.0).abs() < 1e-9, "it is relieved at a peak");
+            // Pulling back, waiting and pushing forward together take the pause.
+            let standing = full / p.retract_speed + pause + full / p.unretract_speed;
+            assert!((standing - p.pause).abs() < 1e-9, "{standing}");
+        }
+    }
+    assert!(path.iter().filter(|m| m.pause > 0.0).count() == 3);
+}
+
+#[test]
+fn a_retraction_after_a_dwell_pulls_back_no_more_than_what_is_left() {
+    let lone = [
+        strand([0.0, 0.0, 0.35], [0.0, 0.0, 6.0], Kind::Post),
+        strand([9.0, 0.0, 0.35], [9.0, 0.0, 6.0], Kind::Post),
+    ];
+    let path = plan(&lone, &PathParams { pressure_lag: 0.4, ..PARAMS });
+    let eased = 0.4 * 4.8;
+    let retracted: Vec<f64> =
+        path.iter().filter(|m| m.kind == Kind::Retract).map(|m| m.filament).collect();
+    assert!(retracted.iter().all(|r| (r + PARAMS.retract - eased).abs() < 1e-9), "{retracted:?}");
+    assert_eq!(retracted.len(), 2);
+}
+
+#[test]
+fn however_long_the_lag_the_head_still_dwells() {
+    for lag in [1.0, 3.0, 5.0] {
+        let path = plan(&fence(), &PathParams { pressure_lag: lag, ..PARAMS });
+        let dwells: Vec<f64> = path.iter().map(|m| m.pause).filter(|&s| s > 0.0).collect();
+        assert_eq!(dwells.len(), 3);
+        assert!(dwells.iter().all(|&s| s >= PARAMS.pause / 2.0 - 1e-12), "{dwells:?}");
+    }
+}
+
+#[test]
+fn firmware_that_advances_pressure_is_left_to_it() {
+    let all = PathParams { pressure_lag: 0.4, advance: Advance::All, ..PARAMS };
+    assert!(fed_in_place(&plan(&fence(), &all)).is_empty());
+    // Klipper leaves strokes out that move along z alone: those are filled and relieved.
+    let sideways = PathParams { advance: Advance::Sideways, ..all };
+    let fed = fed_in_place(&plan(&fence(), &sideways));
+    let full = 0.4 * 4.8;
+    assert_eq!(fed.len(), 6, "two for each post");
+    for pair in fed.chunks(2) {
+        assert!((pair[0].0 - full).abs() < 1e-9 && (pair[1].0 + full).abs() < 1e-9, "{fed:?}");
+        assert!(pair[0].1.z < 1.0 && pair[1].1.z > 5.0, "{fed:?}");
+    }
+}
+
+#[test]
+fn overshoot_goes_on_without_feeding_and_comes_back() {
+    let path = plan(&fence(), &PathParams { strategy: Holding::Overshoot, ..PARAMS });
+    let posts: Vec<usize> = (0..path.len()).filter(|&i| path[i].kind == Kind::Post).collect();
+    for i in posts {
+        let (up, down) = (path[i + 1], path[i + 2]);
+        assert!((up.to.z - path[i].to.z - PARAMS.overshoot).abs() < 1e-9);
+        assert_eq!(down.to, path[i].to);
+        assert!(up.filament == 0.0 && down.filament == 0.0 && path[i].pause == 0.0);
+    }
+}
+
+/// Distance of a point from a closed ring.
+fn distance(ring: &[DVec2], p: DVec2) -> f64 {
+    let edges = ring.iter().zip(ring.iter().cycle().skip(1));
+    let to_edge = |(&a, &b): (&DVec2, &DVec2)| {
+        let along = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+        p.distance(a.lerp(b, along))
+    };
+    edges.map(to_edge).fold(f64::INFINITY, f64::min)
+}
+
+/// The closed rings of a kind, in the order of printing.
+fn rings(path: &[Move], kind: Kind) -> Vec<Vec<DVec2>> {
+    let mut rings: Vec<Vec<DVec2>> = Vec::new();
+    let mut end = None;
+    for m in path.iter().filter(|m| m.kind == kind && m.length() > 0.0) {
+        if end != Some(m.from) {
+            rings.push(Vec::new());
+        }
+        rings.last_mut().unwrap().push(m.to.truncate());
+        end = Some(m.to);
+    }
+    rings
+}
+
+fn square(at: f64, side: f64) -> Vec<Strand> {
+    let (a, b) = (at, at + side);
+    let corners = [[a, a, 0.35], [b, a, 0.35], [b, b, 0.35], [a, b, 0.35], [a, a, 0.35]];
+    strands_along(&corners, Kind::Contour)
+}
+
+#[test]
+fn brim_rings_lie_a_strand_apart_and_a_strand_from_the_contour() {
+    let p = PathParams { brim_rings: 4, ..PARAMS };
+    let path = plan(&square(0.0, 20.0), &p);
+    let brim = rings(&path, Kind::Brim);
+    let contours = rings(&path, Kind::Contour);
+    assert_eq!((brim.len(), contours.len()), (4, 1));
+    for (i, ring) in brim.iter().enumerate() {
+        for (j, other) in brim.iter().chain(&contours).enumerate() {
+            // The contour stands for a ring before the first.
+            let apart = if j == brim.len() { i + 1 } else { i.abs_diff(j) } as f64 * p.strand;
+            for &point in ring {
+                // Corners are rounded by short chords, which cut in by a few hundredths of a mm.
+                assert!((distance(other, point) - apart).abs() < 0.05, "{i} {j} {point}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_skirt_goes_around_everything_and_the_brim_stays_on_the_bed() {
+    let mut strands = square(0.0, 20.0);
+    strands.extend(square(60.0, 10.0));
+    let p = PathParams { brim_rings: 2, skirt_rings: 2, ..PARAMS };
+    let path = plan(&strands, &p);
+    let skirt = rings(&path, Kind::Skirt);
+    assert_eq!(skirt.len(), 2);
+    for contour in rings(&path, Kind::Contour) {
+        for point in contour {
+            assert!(skirt.iter().all(|ring| distance(ring, point) > p.skirt_gap));
+        }
+    }
+    let edge = PathParams { plate: Plate::Rectangle(DVec2::splat(70.9)), ..p };
+    let half = DVec2::splat(70.9);
+    for m in plan(&strands, &edge).iter().filter(|m| m.kind == Kind::Brim || m.kind == Kind::Skirt)
+    {
+        assert!((m.to.truncate() - p.centre).abs().cmple(half).all(), "{m:?} leaves the bed");
+    }
+}
