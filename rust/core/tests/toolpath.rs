@@ -375,7 +375,9 @@ fn rings(path: &[Move], kind: Kind) -> Vec<Vec<DVec2>> {
         if end != Some(m.from) {
             rings.push(Vec::new());
         }
-        rings.last_mut().unwrap().push(m.to.truncate());
+        if let Some(ring) = rings.last_mut() {
+            ring.push(m.to.truncate());
+        }
         end = Some(m.to);
     }
     rings
