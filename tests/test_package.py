@@ -94,7 +94,7 @@ def test_a_model_fits_a_round_bed_if_any_place_on_it_will_do():
     faces = np.array([0, 2, 1, 3, 4, 5, *np.ravel(sides)]).reshape(-1, 3)
     mesh = wireprint.Mesh.from_arrays(np.vstack([low, high]), faces)
     assert mesh.reach_mm > 85
-    made = wireprint.make(mesh, wireprint.Settings.load())
+    made = wireprint.make(mesh, wireprint.Settings.load(), partial=True)
     assert made.mesh.reach_mm < 85
     assert made.certificate.ok
     assert made.certificate.fidelity.deviation_mm < 0.5

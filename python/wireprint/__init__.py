@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from wireprint.settings import Settings
     from wireprint.stages import toolpath, wireframe
     from wireprint.timing import estimate
+    from wireprint.wholeness import IncompleteError
 
 __all__ = [
     "KINDS",
@@ -52,6 +53,7 @@ __all__ = [
     "Condition",
     "FaultError",
     "GcodeError",
+    "IncompleteError",
     "MemoryLimitError",
     "Mesh",
     "Model",
@@ -86,6 +88,7 @@ _HOMES = {
     "Comparison": "wireprint.comparison",
     "Condition": "wireprint.comparison",
     "Orientation": "wireprint.orientation",
+    "IncompleteError": "wireprint.wholeness",
     "Model": "wireprint.model",
     "Region": "wireprint.regions",
     "Settings": "wireprint.settings",

@@ -184,15 +184,16 @@ def _judged(pose: Pose, mesh: Mesh, settings: Settings, *, wanted: bool) -> Pose
         turned = on_bed(_turned(mesh, pose), settings)
         wire = wireframe(turned, settings)
         text = document.body(toolpath(wire, settings), settings, datetime.fromtimestamp(0, UTC))
-        certificate = check(text, settings, turned)
+        certificate = check(text, settings, turned, deviation=False)
     except WireprintError as error:
         return replace(pose, passed_over=f"fails: {error}")
-    coverage = certificate.fidelity.coverage if certificate.fidelity is not None else 1.0
+    fidelity = certificate.fidelity
+    uncovered_mm2 = 0.0 if fidelity is None else (1.0 - fidelity.coverage) * fidelity.area_mm2
     return replace(
         pose,
         breaches=sum(len(found) for found in certificate.breaches().values()),
         unprinted_mm2=sum((area for _, _, _, area, _ in wire.unprinted), 0.0),
-        uncovered_mm2=(1.0 - coverage) * turned.area,
+        uncovered_mm2=uncovered_mm2,
         support_mm=wire.support_mm,
         print_time_s=document.timing(text, settings).total_s,
     )

@@ -14,6 +14,7 @@ from wireprint.files import written_whole
 from wireprint.gcode import document
 from wireprint.stages import on_bed, toolpath, wireframe
 from wireprint.timing import Filament
+from wireprint.wholeness import is_whole, refusal
 
 if TYPE_CHECKING:
     import os
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from wireprint.hybrid.prove import Proved
     from wireprint.orientation import Orientation
     from wireprint.regions import Region
+    from wireprint.remedies import Remedy
     from wireprint.settings import Settings
 
 
@@ -86,19 +88,16 @@ class WirePrint:
             "print_time_s": self.estimate.total_s,
             **self._verdict(),
             "repaired": report.repairs(self.mesh),
-            "unprinted": self._unprinted(),
+            "unprinted": self.unprinted(),
             "regions": None if self.regions is None else report.regions(self.regions),
             "warnings": [*report.warnings(self.mesh), *report.slowed(self.settings)],
             "timings_s": self.timings_s,
         }
 
-    def _unprinted(self) -> list[report.Unprinted]:
-        """List what is not printed: what planning left out or, unless it was told, what is bare."""
-        named = report.unprinted(self.wireframe)
+    def unprinted(self) -> list[report.Unprinted]:
+        """List what is not printed: what the certificate finds bare, and what planning left out."""
         fidelity = None if self.certificate is None else self.certificate.fidelity
-        if named or fidelity is None or not self.settings.wire.caps:
-            return named
-        return report.uncovered(fidelity, self.mesh.area)
+        return report.unprinted(self.wireframe.unprinted, fidelity, self.settings)
 
     def _verdict(self) -> dict[str, Any]:
         """Return whether the file keeps the rules, and how faithful it is."""
@@ -108,9 +107,11 @@ class WirePrint:
         breaches = {name: len(found) for name, found in certificate.breaches().items()}
         verdict: dict[str, Any] = {"certified": certificate.ok, "breaches": breaches}
         if certificate.fidelity is not None:
+            verdict["whole"] = is_whole(certificate, self.settings)
             verdict["coverage"] = certificate.fidelity.coverage
-            verdict["deviation_mm"] = certificate.fidelity.deviation_mm
-            verdict["chord_deviation_mm"] = certificate.fidelity.chord_deviation_mm
+            if certificate.fidelity.deviation_mm is not None:
+                verdict["deviation_mm"] = certificate.fidelity.deviation_mm
+                verdict["chord_deviation_mm"] = certificate.fidelity.chord_deviation_mm
         return verdict
 
 
@@ -124,6 +125,7 @@ def make(
     certify: bool = True,
     compare: bool = True,
     orient: bool = False,
+    partial: bool = False,
 ) -> WirePrint:
     """Turn a mesh into a wire print.
 
@@ -143,17 +145,30 @@ def make(
     certify
         Whether to judge the file by the rules of a printable one.
     compare
-        Whether the verdict tells coverage and deviation, too.
+        Whether the verdict tells how far strands lie off the surface, too.
     orient
         Whether to turn the model into the pose that is printed best.
+    partial
+        Whether a print is wanted that leaves more of the surface bare than `wire.coverage_min`
+        allows. Without `certify` nobody knows.
 
     Raises
     ------
+    IncompleteError
+        Too much of the model would be left out, or all of it; the message names the parts, and a
+        remedy that was tried.
     ModelError
         No slice has a contour.
     """
+
+    def attempt(remedy: Remedy) -> Certificate | None:
+        turn = orient or remedy.orient
+        other = make(given, remedy.settings, region, compare=False, orient=turn, partial=True)
+        return other.certificate
+
     clock = clock or Clock()
-    placed, orientation = mesh, None
+    given = placed = mesh
+    orientation = None
     if orient:
         from wireprint.orientation import orient as best
 
@@ -173,6 +188,9 @@ def make(
             moved = region.transformed(motion(placed, mesh, rotate_deg))
             regions = proved(mesh, strands, moved, settings)
             strands = regions.wireframe
+    if not strands.strand_count:
+        left_out = report.unprinted(strands.unprinted, None, settings)
+        raise refusal(None, left_out, settings, None if partial else attempt)
     with clock.stage("toolpath"):
         path = regions.toolpath if regions is not None else toolpath(strands, settings)
     with clock.stage("gcode"):
@@ -181,8 +199,8 @@ def make(
     certificate = None
     if certify:
         with clock.stage("check"):
-            certificate = check(gcode, settings, mesh if compare else None)
-    return WirePrint(
+            certificate = check(gcode, settings, mesh, deviation=compare)
+    made = WirePrint(
         settings,
         mesh,
         strands,
@@ -194,6 +212,9 @@ def make(
         clock.timings_s,
         orientation,
     )
+    if certificate is not None and not partial and not is_whole(certificate, settings):
+        raise refusal(certificate, made.unprinted(), settings, attempt)
+    return made
 
 
 def to_gcode(
@@ -222,7 +243,12 @@ def to_gcode(
 
 
 def write_gcode(
-    path: str | os.PathLike[str], toolpath: Toolpath, settings: Settings, **options: Any
+    path: str | os.PathLike[str],
+    toolpath: Toolpath,
+    settings: Settings,
+    *,
+    partial: bool = False,
+    **options: Any,
 ) -> None:
     """Write what `to_gcode` gives to a file: all of it, or nothing.
 
@@ -232,8 +258,28 @@ def write_gcode(
         The file; an older one is replaced.
     toolpath, settings, **options
         See `to_gcode`.
+    partial
+        Whether a print is wanted that leaves more of the model bare than `wire.coverage_min`
+        allows. A toolpath that was made from arrays has no model to be held against.
+
+    Raises
+    ------
+    IncompleteError
+        See `make`.
     """
-    written_whole(Path(path), to_gcode(toolpath, settings, **options))
+    text = to_gcode(toolpath, settings, **options)
+    mesh = toolpath.mesh
+    if mesh is not None and not partial:
+
+        def attempt(remedy: Remedy) -> Certificate | None:
+            other = make(mesh, remedy.settings, compare=False, orient=remedy.orient, partial=True)
+            return other.certificate
+
+        certificate = check(text, settings, mesh, deviation=False)
+        if not is_whole(certificate, settings):
+            bare = report.unprinted((), certificate.fidelity, settings)
+            raise refusal(certificate, bare, settings, attempt)
+    written_whole(Path(path), text)
 
 
 def _written(

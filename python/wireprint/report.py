@@ -6,10 +6,10 @@ from collections import Counter
 from typing import TYPE_CHECKING, Final, TypedDict
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
-    from wireprint._core import Mesh, Wireframe
-    from wireprint.certificate import Fidelity
+    from wireprint._core import Mesh
+    from wireprint.certificate import Certificate, Fidelity, Patch
     from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.runs import Section
     from wireprint.regions import Region
@@ -33,14 +33,22 @@ _WARNINGS: Final = {
 }
 
 
+#: Reason, lowest and highest z in mm, area in mm², a point of it in mm.
+LeftOut = tuple[str, float, float, float, tuple[float, float, float]]
+
+
 class Unprinted(TypedDict):
     """A part of the surface that is not printed."""
 
     reason: str
+    #: Lowest and highest z, mm.
     low_mm: float
     high_mm: float
     area_mm2: float
+    #: Its middle; of a part that is listed though strands pass near to it, a point of it.
     place_mm: tuple[float, float, float]
+    #: Extent along x, y, z; None of a part that is listed though strands pass near to it.
+    size_mm: tuple[float, float, float] | None
     help: str
 
 
@@ -98,11 +106,13 @@ class Regions(TypedDict):
 #: Why something is not printed → what would help.
 _HELP: Final = {
     "not_covered": "turn the model (--orient auto), or set lower slabs (--slab-min)",
-    "mid_air": "turn the model, or print it with --supports wire",
+    "mid_air": "turn the model (--orient auto)",
     "no_foothold": "print it larger, with a smaller nozzle, or with lower slabs",
     "wide_span": "turn the model, or raise wire.span_limit_mm if your material holds it",
     "wide_roof": "turn the model so that the face stands upright",
 }
+#: What columns would carry.
+_SUPPORTED: Final = frozenset({"mid_air", "wide_span", "wide_roof"})
 
 #: Why a marked run stays wire → what would help.
 _REGION_HELP: Final = {
@@ -118,9 +128,8 @@ _REGION_HELP: Final = {
 }
 
 
-#: A print that leaves more than this share of the surface bare has its bare patches named …
-_BARE_SHARE: Final = 0.05
-#: … if they are larger than this share of it.
+#: Bare patches are named from this area on, mm², or from this share of the surface on.
+_PATCH_MM2: Final = 100.0
 _PATCH_SHARE: Final = 0.01
 
 
@@ -147,19 +156,98 @@ def slowed(settings: Settings) -> list[str]:
     ]
 
 
-def unprinted(wireframe: Wireframe) -> list[Unprinted]:
-    """List the parts of the surface that are not printed, bottom up, with what would help."""
-    return [
-        {
-            "reason": reason,
-            "low_mm": low,
-            "high_mm": high,
-            "area_mm2": area,
-            "place_mm": place,
-            "help": _HELP.get(reason, ""),
-        }
-        for reason, low, high, area, place in wireframe.unprinted
+def breaches(certificate: Certificate, settings: Settings) -> str:
+    """Say which rules a file breaks, how often, and where first."""
+    outside = [b.value for b in certificate.out_of_bounds if b.bound == "volume"]
+    if outside:
+        return (
+            f"the print leaves the build volume of {settings.printer.name} "
+            f"({settings.printer.bed}) by {max(outside):.1f} mm; scale it or change the printer"
+        )
+    found = {name: breaches for name, breaches in certificate.breaches().items() if breaches}
+    counts = ", ".join(f"{name.replace('_', ' ')}: {len(list_)}" for name, list_ in found.items())
+    first = min((breach for list_ in found.values() for breach in list_), key=lambda b: b.line)
+    return f"the print would break the rules ({counts}); first in line {first.line}, {first}"
+
+
+def unprinted(
+    planned: Sequence[LeftOut], fidelity: Fidelity | None, settings: Settings
+) -> list[Unprinted]:
+    """List the parts of the surface that are not printed, bottom up, with what would help.
+
+    Parameters
+    ----------
+    planned
+        What planning left out, as `Wireframe.unprinted` has it.
+    fidelity
+        What the certificate measured; None: planning is believed.
+    settings
+        What the print was made with.
+
+    Notes
+    -----
+    Listed is every patch that the certificate finds bare and that has 1 cm² or 1 % of the surface.
+    Planning knows why, where what it left out lies in a patch; what else it left out is listed
+    besides, though strands pass so near that the certificate does not miss it.
+    """
+    rest = list(planned)
+    listed = [] if fidelity is None else _patches(fidelity, rest, settings)
+    listed += [
+        Unprinted(
+            reason=reason,
+            low_mm=low,
+            high_mm=high,
+            area_mm2=area,
+            place_mm=place,
+            size_mm=None,
+            help=_help(reason, settings),
+        )
+        for reason, low, high, area, place in rest
     ]
+    return sorted(listed, key=lambda part: (part["low_mm"], part["high_mm"]))
+
+
+def _patches(fidelity: Fidelity, planned: list[LeftOut], settings: Settings) -> list[Unprinted]:
+    """List the bare patches that are large enough; take out of `planned` what lies in them."""
+    least_mm2 = min(_PATCH_MM2, _PATCH_SHARE * fidelity.area_mm2)
+    listed = []
+    for patch in fidelity.uncovered:
+        if patch.area_mm2 < least_mm2:
+            break
+        known = [part for part in planned if _lies_in(part, patch, fidelity.within_mm)]
+        planned[:] = [part for part in planned if part not in known]
+        reason = max(known, key=lambda part: part[3])[0] if known else "not_covered"
+        (low_x, low_y, low_z), (high_x, high_y, high_z) = patch.low_mm, patch.high_mm
+        listed.append(
+            Unprinted(
+                reason=reason,
+                low_mm=low_z,
+                high_mm=high_z,
+                area_mm2=patch.area_mm2,
+                place_mm=patch.centroid_mm,
+                size_mm=(high_x - low_x, high_y - low_y, high_z - low_z),
+                help=_help(reason, settings),
+            )
+        )
+    return listed
+
+
+def _lies_in(part: LeftOut, patch: Patch, within_mm: float) -> bool:
+    """Whether something that planning left out is what a bare patch shows.
+
+    Planning tells a point of the rim, and around the rim surface may be covered.
+    """
+    _, low, high, _, (x, y, _) = part
+    box = list(zip((x, y), patch.low_mm, patch.high_mm, strict=False))
+    rim = within_mm + max(most - least for _, least, most in box) / 2
+    beside = all(least - rim <= at <= most + rim for at, least, most in box)
+    return beside and low - within_mm <= patch.high_mm[2] and patch.low_mm[2] <= high + within_mm
+
+
+def _help(reason: str, settings: Settings) -> str:
+    if reason in _SUPPORTED and settings.wire.supports != "wire":
+        return "print it with --supports wire"
+    return _HELP.get(reason, "")
 
 
 def regions(proved: Proved) -> Regions:
@@ -196,32 +284,6 @@ def _run(run: Section) -> Run:
         "area_mm2": run.area_mm2,
         "place_mm": run.place_mm,
     }
-
-
-def uncovered(fidelity: Fidelity, area_mm2: float) -> list[Unprinted]:
-    """List the patches that the certificate finds bare, where they come to more than a little.
-
-    Parameters
-    ----------
-    fidelity
-        What the certificate measured.
-    area_mm2
-        The model's surface.
-    """
-    if 1.0 - fidelity.coverage <= _BARE_SHARE:
-        return []
-    return [
-        {
-            "reason": "not_covered",
-            "low_mm": patch.low_mm[2],
-            "high_mm": patch.high_mm[2],
-            "area_mm2": patch.area_mm2,
-            "place_mm": patch.centroid_mm,
-            "help": _HELP["not_covered"],
-        }
-        for patch in fidelity.uncovered
-        if patch.area_mm2 > _PATCH_SHARE * area_mm2
-    ]
 
 
 def _sentences(counts: Mapping[str, int], wordings: Mapping[str, str]) -> list[str]:

@@ -390,6 +390,9 @@ class Wire(Section):
         6.0, gt=0.5, le=50, description="between a cap's strands; keeps coverage_within_mm"
     )
     supports: Literal["wire", "none"] = Field("wire", description="under what would hang in air")
+    coverage_min: float = Field(
+        0.95, ge=0, le=1, description="share of the surface to be covered, else nothing is written"
+    )
     coverage_within_mm: float = Field(
         4.0, ge=0.1, le=50, description="surface this near to a strand counts as covered"
     )

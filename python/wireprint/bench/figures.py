@@ -48,7 +48,7 @@ def column(condition: str, figure: str) -> str:
 
 def _certified(model: Model, settings: Settings, row: Row) -> WirePrint:
     row |= sizes(model.mesh)
-    made = make(model.mesh, settings)
+    made = make(model.mesh, settings, partial=True)
     row |= wire_print(made)
     return made
 

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from wireprint._core import Mesh
-    from wireprint.certificate import Certificate
     from wireprint.cli.marks import Marks
     from wireprint.cli.options import Chosen
     from wireprint.cli.progress import Progress
@@ -48,7 +47,7 @@ class Job:
     marks: Marks
     placement: dict[str, Any]
     force: bool
-    #: Whether coverage and deviation are asked for.
+    #: Whether it is asked for how far strands lie off the surface.
     compare: bool
     #: Whether each model is turned into its best pose.
     orient: bool
@@ -57,25 +56,34 @@ class Job:
         """Turn one model into G-code."""
         from wireprint.gcode.document import dated
         from wireprint.pipeline import Clock, make
+        from wireprint.report import breaches
+        from wireprint.wholeness import IncompleteError, is_whole, shortfall
 
         clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
         with clock.stage("load"):
             mesh, settings, region = self._loaded(model)
-        made = make(
-            mesh,
-            settings,
-            region,
-            date=dated(None if is_stream(model) else model),
-            clock=clock,
-            compare=self.compare,
-            orient=self.orient,
-        )
+        try:
+            made = make(
+                mesh,
+                settings,
+                region,
+                date=dated(None if is_stream(model) else model),
+                clock=clock,
+                compare=self.compare,
+                orient=self.orient,
+                partial=self.force,
+            )
+        except IncompleteError as error:
+            forced = "\n--force writes it all the same" if error.usable else ""
+            raise UnprintableError(f"{model}: {error}{forced}") from error
         warnings = []
         if made.certificate is not None and not made.certificate.ok:
-            reason = _breaches(made.certificate, settings)
+            reason = breaches(made.certificate, settings)
             if not self.force:
                 raise UnprintableError(f"{model}: {reason}")
             warnings.append(f"written although {reason}")
+        if made.certificate is not None and not is_whole(made.certificate, settings):
+            warnings.append(f"written although {shortfall(made.certificate, settings)}")
         figures = {
             "model": str(model),
             "printer": settings.printer.name,
@@ -93,17 +101,3 @@ class Job:
         model = self.marks.load(path, self.placement)
         settings = self.settings if model.settings is None else self.chosen.over(model.settings)
         return model.mesh, settings, model.region
-
-
-def _breaches(certificate: Certificate, settings: Settings) -> str:
-    """Say which rules a file breaks, how often, and where first."""
-    outside = [b.value for b in certificate.out_of_bounds if b.bound == "volume"]
-    if outside:
-        return (
-            f"the print leaves the build volume of {settings.printer.name} "
-            f"({settings.printer.bed}) by {max(outside):.1f} mm; scale it or change the printer"
-        )
-    found = {name: breaches for name, breaches in certificate.breaches().items() if breaches}
-    counts = ", ".join(f"{name.replace('_', ' ')}: {len(list_)}" for name, list_ in found.items())
-    first = min((breach for list_ in found.values() for breach in list_), key=lambda b: b.line)
-    return f"the print would break the rules ({counts}); first in line {first.line}, {first}"

@@ -43,7 +43,11 @@ if TYPE_CHECKING:
 @placement_options
 @orient_option
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
-@click.option("--force", is_flag=True, help="Write the file even if it breaks the rules.")
+@click.option(
+    "--force",
+    is_flag=True,
+    help="Write the file even if it breaks the rules or leaves much of the model out.",
+)
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 @click.pass_context
 def slice_models(
@@ -65,7 +69,8 @@ def slice_models(
     printed as layers.
 
     The file is judged before it is written, as by `wireprint check`: one that would drive the head
-    into its own strands, or leave them hanging, is refused.
+    into its own strands, leave them hanging, or leave more than a twentieth of the surface bare
+    (wire.coverage_min), is refused.
     """
     chosen, marks = chosen_from(options), marks_from(options, models)
     targets = _targets(models, output, [*models, *chosen.files, *marks.files])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from wireprint.timing import clock
+from wireprint.wholeness import told
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -31,18 +32,14 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
         f"in {figures['pauses']} pauses",
     )
     if "coverage" in figures:
-        yield _row(
-            "fidelity",
-            f"{100 * figures['coverage']:.1f} % covered, "
-            f"{figures['deviation_mm']:.2f} mm off the surface on average",
-        )
+        off = f", {figures['deviation_mm']:.2f} mm off the surface on average"
+        yield _row("fidelity", f"{100 * figures['coverage']:.1f} % covered{off}")
     for sentence in figures["repaired"]:
         yield _row("repaired", sentence)
     for part in figures["unprinted"]:
         yield _row(
             "not printed",
-            f"{part['area_mm2']:.0f} mm² at z {part['low_mm']:.1f}–{part['high_mm']:.1f} mm "
-            f"({part['reason'].replace('_', ' ')}): {part['help']}",
+            f"{told(part)}: {part['help']}",
         )
     if (regions := figures["regions"]) is not None:
         yield from _of_regions(regions)

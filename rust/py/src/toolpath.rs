@@ -11,12 +11,14 @@ use wireprint_core::toolpath::{Advance, Cooling, PathParams, Plate, Strategy};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
+use crate::mesh::Mesh;
 use crate::wireframe::Wireframe;
 
 /// Every move of the head, in order; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Toolpath {
     core: core::Toolpath,
+    mesh: Option<Py<Mesh>>,
 }
 
 impl Toolpath {
@@ -121,9 +123,10 @@ impl PathArgs {
 #[pyfunction]
 pub fn toolpath(py: Python<'_>, wireframe: &Wireframe, params: PathArgs) -> PyResult<Toolpath> {
     let params = params.core()?;
+    let mesh = Some(wireframe.mesh().clone_ref(py));
     let wireframe = wireframe.core();
     let core = detached(py, || Ok(core::toolpath(&wireframe.strands, &params)))?;
-    Ok(Toolpath { core })
+    Ok(Toolpath { core, mesh })
 }
 
 #[pymethods]
@@ -182,11 +185,17 @@ impl Toolpath {
             air: air.as_array().to_vec(),
             slab: slab.as_array().to_vec(),
         };
-        Ok(Self { core })
+        Ok(Self { core, mesh: None })
     }
 
     fn __len__(&self) -> usize {
         self.core.to.len()
+    }
+
+    /// The mesh that it was made from; None where it was made from arrays.
+    #[getter]
+    fn mesh(&self, py: Python<'_>) -> Option<Py<Mesh>> {
+        self.mesh.as_ref().map(|mesh| mesh.clone_ref(py))
     }
 
     /// Where the head stands before the first move, mm.

@@ -115,12 +115,18 @@ type StripTuple = (Vec<u32>, Vec<u32>, f64);
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Wireframe {
     core: Arc<core::frame::Wireframe>,
+    mesh: Py<Mesh>,
 }
 
 impl Wireframe {
     /// The core's wireframe.
     pub fn core(&self) -> &Arc<core::frame::Wireframe> {
         &self.core
+    }
+
+    /// The mesh that it was made from.
+    pub fn mesh(&self) -> &Py<Mesh> {
+        &self.mesh
     }
 }
 
@@ -129,7 +135,7 @@ impl Wireframe {
 #[pyo3(signature = (mesh, head, params, layered=None))]
 pub fn wireframe(
     py: Python<'_>,
-    mesh: &Mesh,
+    mesh: &Bound<'_, Mesh>,
     head: HeadArgs,
     params: WireArgs,
     layered: Option<LayeredArgs>,
@@ -137,14 +143,15 @@ pub fn wireframe(
     let head = head.core()?;
     let (heights, wire) = (params.heights(), params.wire()?);
     let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
+    let model = mesh.get().core();
     let build = || {
-        let sliced = core::plan::sliced::slice_model(mesh.core(), &head, &heights)?;
+        let sliced = core::plan::sliced::slice_model(model, &head, &heights)?;
         layered.fits(&sliced)?;
         sliced.claim_strands(&Strokes::new(&head, wire.strand))?;
         Ok(core::build::build(sliced, &layered, &head, &wire))
     };
     let core = detached(py, || in_pool(build))?;
-    Ok(Wireframe { core: Arc::new(core) })
+    Ok(Wireframe { core: Arc::new(core), mesh: mesh.clone().unbind() })
 }
 
 /// A stable name for why something is not printed.
