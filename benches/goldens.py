@@ -48,7 +48,7 @@ def evaluate(model, settings, row):
 
 def figures(mesh, settings):
     """Figures of a print, rounded, and the hash of its toolpath; all as text."""
-    made = make(mesh, settings)
+    made = make(mesh, settings, partial=True)
     told = made.figures() | {"diagonals": diagonals(made.wireframe.strand_kinds)}
     told["breaches"] = sum(told["breaches"].values())
     told["unprinted_mm2"] = sum(part["area_mm2"] for part in told["unprinted"])

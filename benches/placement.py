@@ -60,7 +60,7 @@ def row(name, mesh, rule):
     settings = Settings.load(
         overrides=[f"wire.placement={rule}", "wire.slab_min_mm=3", "wire.slab_max_mm=4"]
     )
-    printed = make(mesh, settings)
+    printed = make(mesh, settings, partial=True)
     wire, found = printed.wireframe, printed.figures()
     posts, places = wire.posts, wire.post_places
     breaches = sum(found["breaches"].values())
