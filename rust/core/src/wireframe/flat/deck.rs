@@ -17,6 +17,8 @@ const DIRECTIONS: usize = 8;
 /// A direction whose longest span is shorter by less than this part is no better: symmetric shapes
 /// stay stable.
 const HAIR: f64 = 1e-6;
+/// So many joists more than the fewest are tried where these bend too much.
+const MORE: usize = 2;
 /// Lines shorter than this part of their spacing are left out.
 const SHORT: f64 = 0.25;
 /// Lines whose ends come nearer than so many spacings are one stroke.
@@ -101,8 +103,29 @@ impl Plan {
                 }
             }
         }
-        let carried = joists(face, limits, along, &gaps);
-        Self { along, rows, carried, longest }
+        let mut plan = Self { along, rows, carried: Joists::default(), longest };
+        if gaps.is_empty() {
+            return plan;
+        }
+        let tries = (0..=MORE).map(|more| joists(face, limits, along, &gaps, more));
+        let tries: Vec<Joists> = tries.collect();
+        let enough = tries.iter().position(|joists| plan.is_spanned(face, limits, &joists.all));
+        plan.carried = tries.into_iter().nth(enough.unwrap_or(0)).unwrap_or_default();
+        plan
+    }
+
+    /// Whether no line spans too much over some joists.
+    fn is_spanned(&self, face: &Face, limits: &Limits, joists: &[Vec<DVec2>]) -> bool {
+        let holds = face.holds.with(joists);
+        let face = Face { holds: &holds, ..*face };
+        self.rows.iter().flatten().all(|line| {
+            let short = line.stretches().all(|[from, to]| to - from <= limits.span);
+            let stops = || face.stops(&line.ends, line.length(), limits.touch);
+            short
+                || Line { stops: stops(), ..*line }
+                    .stretches()
+                    .all(|[from, to]| to - from <= limits.span)
+        })
     }
 
     fn is_better(&self, other: &Self) -> bool {

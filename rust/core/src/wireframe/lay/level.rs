@@ -157,8 +157,10 @@ fn rise(
     let all: Vec<Rim> =
         carriers(ledge, printed).into_iter().chain(&carried.lines).cloned().collect();
     let all: Vec<&Rim> = all.iter().collect();
+    let stands = own.len() == ledge.lower.len();
     let Some(standing) = spokes(cx, journal, flat, &all, Kind::Cap, LEDGE, |_| true) else {
-        if !carried.is_wanted {
+        // What lies on something unprinted will lie there once that is supported.
+        if !carried.is_wanted && stands {
             want_columns(cx, journal, curve, level);
         }
         return None;

@@ -4,6 +4,8 @@
 //! place, from the bed or from the surface below, as one more contour of every slice on the way. The
 //! next pass prints them like any other wall.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec2;
 
 use crate::contours::Contour;
@@ -26,6 +28,8 @@ const SERVES: f64 = 0.19;
 const ROOM: f64 = 2.0;
 /// … or at least so many, where there is no more room.
 const TIGHT: f64 = 1.2;
+/// Columns keep so many radii between their middles.
+const APART: f64 = 2.2;
 /// Places tried beside the wanted one: so many around, in so many rings a radius apart.
 const AROUND: usize = 8;
 const RINGS: usize = 3;
@@ -78,14 +82,33 @@ pub fn add(
     }
     let strokes = Strokes::new(head, p.strand);
     let radius = SLENDER * strokes.run(strokes.tallest(head.cone_height));
-    let found = {
-        let ground = Site::of(sliced, radius, p);
-        ground.columns(needs)
-    };
-    for &(place, level, foot) in &found {
-        raise(sliced, radius, place, level, foot);
+    let found = Site::of(sliced, radius, p).columns(needs);
+    for planned in &found {
+        raise(sliced, radius, planned);
     }
     !(found.is_empty() && roofs.is_empty())
+}
+
+/// A column to be built.
+#[derive(Debug, Clone, Copy)]
+struct Planned {
+    /// The place that it is meant for; it may stand a little beside.
+    wanted: DVec2,
+    /// Its middle, mm.
+    place: DVec2,
+    /// The lowest level that it reaches, and the one where it ends.
+    first: usize,
+    top: usize,
+    /// Where it begins.
+    foot: Foot,
+}
+
+impl Planned {
+    /// Whether it stands at a level.
+    fn passes(&self, level: usize) -> bool {
+        let begins_above = matches!(self.foot, Foot::Face { .. });
+        (self.first + usize::from(begins_above)..=self.top).contains(&level)
+    }
 }
 
 /// What columns stand in.
@@ -126,69 +149,76 @@ impl<'a> Site<'a> {
         Self { sliced, slices, radius, serves: SERVES * p.span_limit, bounds }
     }
 
-    /// The columns to be built: middle, level at the top, foot. Needs that another column serves as
-    /// well are left out, and those that there is no room for.
-    fn columns(&self, needs: &[Need]) -> Vec<(DVec2, usize, Foot)> {
+    /// The columns to be built. Needs that another one serves as well are left out, and those that
+    /// there is no room for.
+    fn columns(&self, needs: &[Need]) -> Vec<Planned> {
         let mut sorted = needs.to_vec();
         sorted.sort_by_key(|need| std::cmp::Reverse(need.level));
-        let mut found: Vec<(DVec2, usize, Foot)> = Vec::new();
-        // The needs that the columns found were meant for; a column may stand a little beside.
-        let mut met: Vec<DVec2> = Vec::new();
+        let mut found: Vec<Planned> = Vec::new();
         for need in sorted {
             let near = |place: DVec2| place.distance(need.place) < self.serves;
-            let mut all = found.iter().zip(&met);
-            if all.any(|(c, met)| (near(c.0) || near(*met)) && self.passes(c, need.level)) {
-                continue;
-            }
-            let below = self.sliced.columns.iter().position(|c| near(c.place));
-            if let Some(below) = below {
-                let Column { place, level, .. } = self.sliced.columns[below];
-                let extends = found.iter().any(|c| c.2 == Foot::Column { below });
-                if level < need.level && !extends && self.is_free(place, level, need.level) {
-                    found.push((place, need.level, Foot::Column { below }));
-                    met.push(need.place);
-                }
-                continue;
-            }
-            if let Some((place, foot)) = self.place(&need) {
-                found.push((place, need.level, foot));
-                met.push(need.place);
+            let serves = |c: &Planned| (near(c.place) || near(c.wanted)) && c.passes(need.level);
+            if !found.iter().any(serves) {
+                found.extend(self.extended(&need, &found).or_else(|| self.place(&need, &found)));
             }
         }
         found
     }
 
-    /// Whether a column that is to be built stands at a level.
-    fn passes(&self, &(_, top, foot): &(DVec2, usize, Foot), level: usize) -> bool {
-        let first = match foot {
-            Foot::Bed => 0,
-            Foot::Face { level, .. } => level + 1,
-            Foot::Slope { level } => level,
-            Foot::Column { below } => self.sliced.columns[below].level,
+    /// A column that stands near a place below what wants one there, and may go on.
+    fn extended(&self, need: &Need, found: &[Planned]) -> Option<Planned> {
+        let goes_on = |&(number, column): &(usize, &Column)| {
+            column.place.distance(need.place) < self.serves
+                && column.level < need.level
+                && self.is_free(column.place, column.level, need.level)
+                && !self.overlaps(column.place, column.level + 1..=need.level, found)
+                && !found.iter().any(|c| c.foot == Foot::Column { below: number })
         };
-        (first..=top).contains(&level)
+        let (below, column) = self.sliced.columns.iter().enumerate().find(goes_on)?;
+        let Column { place, level, .. } = *column;
+        let foot = Foot::Column { below };
+        Some(Planned { wanted: need.place, place, first: level, top: need.level, foot })
     }
 
-    /// The nearest place with room for a column that serves a need, and where it begins.
-    fn place(&self, need: &Need) -> Option<(DVec2, Foot)> {
+    /// Whether a column at a place would stand in the way of another one on these levels.
+    fn overlaps(&self, place: DVec2, levels: RangeInclusive<usize>, found: &[Planned]) -> bool {
+        let built = self.sliced.columns.iter().map(|c| (c.place, c.first..=c.level));
+        let planned = found.iter().map(|c| (c.place, c.first..=c.top));
+        built.chain(planned).any(|(other, on)| {
+            other.distance(place) < APART * self.radius
+                && on.start() <= levels.end()
+                && levels.start() <= on.end()
+        })
+    }
+
+    /// The nearest place with room for a column that serves a need.
+    fn place(&self, need: &Need, found: &[Planned]) -> Option<Planned> {
         let turn = std::f64::consts::TAU / AROUND as f64;
         let ring = |k: usize| {
             let reach = self.radius * k as f64;
             (0..if k == 0 { 1 } else { AROUND })
                 .map(move |i| need.place + reach * DVec2::from_angle(turn * i as f64))
         };
-        let mut best: Option<(f64, DVec2, Foot)> = None;
+        let mut best: Option<(f64, Planned)> = None;
         for place in (0..=RINGS).flat_map(ring) {
             let place = self.bounds.draw_in(place);
             let Some((foot, room)) = self.fall(place, need) else { continue };
+            let first = match foot {
+                Foot::Bed | Foot::Column { .. } => 0,
+                Foot::Face { level, .. } | Foot::Slope { level } => level,
+            };
+            let planned = Planned { wanted: need.place, place, first, top: need.level, foot };
+            if self.overlaps(place, first..=need.level, found) {
+                continue;
+            }
             if room >= ROOM * self.radius {
-                return Some((place, foot));
+                return Some(planned);
             }
             if room >= TIGHT * self.radius && best.is_none_or(|best| room > best.0) {
-                best = Some((room, place, foot));
+                best = Some((room, planned));
             }
         }
-        best.map(|(_, place, foot)| (place, foot))
+        best.map(|(_, planned)| planned)
     }
 
     /// Where a column under a place at a level begins, and how far its middle keeps from walls on the
@@ -252,7 +282,8 @@ impl Bounds {
 }
 
 /// Adds one column to the slices.
-fn raise(sliced: &mut Sliced, radius: f64, place: DVec2, top: usize, foot: Foot) {
+fn raise(sliced: &mut Sliced, radius: f64, planned: &Planned) {
+    let &Planned { place, first: lowest, top, foot, .. } = planned;
     let ring = ring(place, radius);
     let mut below: Option<u32> = None;
     let (first, from) = match foot {
@@ -292,7 +323,8 @@ fn raise(sliced: &mut Sliced, radius: f64, place: DVec2, top: usize, foot: Foot)
         below = Some(index);
     }
     part(sliced, top);
-    sliced.columns.push(Column { place, level: top, top: below.unwrap_or_default() });
+    let top_ring = below.unwrap_or_default();
+    sliced.columns.push(Column { place, first: lowest, level: top, top: top_ring });
 }
 
 /// Tells apart the slices from below and above a level: from now on one may have what the other

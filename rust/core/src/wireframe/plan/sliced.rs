@@ -51,6 +51,8 @@ pub struct Sheet {
 pub struct Column {
     /// Its middle, mm.
     pub place: DVec2,
+    /// The lowest level that it reaches.
+    pub first: usize,
     /// The level at which it ends.
     pub level: usize,
     /// The number of its contour at the top, among those from below.
