@@ -4,6 +4,7 @@ import csv
 import dataclasses
 import io
 import json
+import os
 import random
 import signal
 import subprocess
@@ -19,11 +20,12 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import bench_jobs
-from wireprint import ModelError, SettingError, Settings, cli, comparison, examples
+from wireprint import ModelError, SettingError, Settings, __version__, cli, comparison, examples
 from wireprint.bench import figures, histogram, pool, run, table, task
 from wireprint.bench.local import Processes
 from wireprint.bench.plan import Placement, plan
 from wireprint.bench.table import COLUMNS, Table
+from wireprint.cli import progress
 
 
 @pytest.fixture
@@ -279,9 +281,69 @@ class TestTable:
         assert all(Table(path).row_of(one) for one in tasks)
         assert len(path.read_text().splitlines()) == 1 + 8
 
-    def test_a_file_that_holds_no_results_is_not_overwritten(self, cubes):
+    @pytest.mark.parametrize(
+        "content", [b"name,scale\n", b"name,scale\ncube.stl,1\n", b"\xff\xfe", b"PAR1", b"notes"]
+    )
+    @pytest.mark.parametrize("suffix", table.SUFFIXES)
+    def test_a_file_that_holds_no_results_is_not_overwritten(self, content, suffix, cube, tmp_path):
+        path = tmp_path / f"notes{suffix}"
+        path.write_bytes(content)
         with pytest.raises(SettingError, match="something else than results"):
-            Table(cubes)
+            Table(path)
+        assert bench(cube, "-o", path).exit_code == 4
+        assert path.read_bytes() == content
+
+    @pytest.mark.parametrize(
+        "row",
+        ["x,y", "x,y,z,big", "x,y,z,1,more", ",,,", 'x,y,"z', "x,y,,1"],
+    )
+    def test_a_damaged_row_is_named_by_line(self, row, tmp_path):
+        path = tmp_path / "results.csv"
+        path.write_text(f"model,model_sha256,settings_sha256,scale\na,b,c,1\n{row}\n")
+        with pytest.raises(SettingError, match=r"results\.csv(:3: |: it holds)"):
+            Table(path)
+
+    @pytest.mark.parametrize(
+        "content", ["null\n", "[]\n", "dear diary\n", '{"a": 1}\n', "1" * 5000]
+    )
+    def test_a_journal_that_is_none_is_named_and_not_taken_away(self, content, tmp_path):
+        journal = tmp_path / "results.csv.journal"
+        journal.write_text(content)
+        with pytest.raises(SettingError, match=r"results\.csv\.journal:1: "):
+            Table(tmp_path / "results.csv")
+        assert journal.read_text() == content
+
+    def test_a_run_that_ends_before_its_first_row_leaves_nothing(self, tmp_path):
+        with pytest.raises(KeyboardInterrupt), Table(tmp_path / "results.csv"):
+            raise KeyboardInterrupt
+        assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize(
+        "text", ["=1+1", "+1", "-1", "@sum", "\tx", "'=1", "'", "caf\\xe9", 'a "b", c', "a\nb"]
+    )
+    def test_a_text_that_a_spreadsheet_would_compute_is_quoted_and_read_back(self, text, tmp_path):
+        path = tmp_path / "results.csv"
+        row = dict(ROWS[0], model=text, error=text)
+        Table(path).finish([row])
+        with path.open(newline="") as file:
+            [cells] = csv.DictReader(file)
+        assert not cells["model"].startswith(("=", "+", "-", "@", "\t"))
+        [found] = table._read(path)
+        assert (found["model"], found["error"]) == (text, text)
+
+    @pytest.mark.parametrize("suffix", table.SUFFIXES)
+    def test_a_name_that_is_no_utf8_costs_no_table(self, tmp_path, suffix):
+        odd = os.fsdecode(b"caf\xe9.stl")
+        (tmp_path / odd).write_bytes(examples.stl("sphere"))
+        (tmp_path / "cube.stl").write_bytes(examples.stl("cube"))
+        results = tmp_path / f"results{suffix}"
+        arguments = (tmp_path, "-o", results, "--no-compare", "--jobs", "1", "--scale", "0.5")
+        assert bench(*arguments).exit_code == 0
+        names = [row["model"] for row in table._read(results)]
+        assert names == [f"{tmp_path}/caf\\xe9.stl", f"{tmp_path}/cube.stl"]
+        before = results.read_bytes()
+        assert bench(*arguments).exit_code == 0
+        assert results.read_bytes() == before
 
     def test_an_unknown_suffix_is_refused(self, tmp_path):
         with pytest.raises(SettingError, match=r"\.csv or \.parquet"):
@@ -342,6 +404,38 @@ class TestCommand:
         assert found["speedup"]["layerwise-solid"]["median"] == 1
         with Image.open(found["histogram"]) as picture:
             assert picture.size == (histogram.WIDTH, histogram.HEIGHT)
+
+    def test_a_row_tells_what_it_was_made_with_and_one_time_for_the_wire_print(
+        self, cube, tmp_path
+    ):
+        results = tmp_path / "results.parquet"
+        options = ["--printer", "voron-2.4", "--material", "pla", "--jobs", "1", "--scale", "0.5"]
+        done = bench(cube, "-o", results, *options)
+        assert "on voron-2.4 with pla" in done.stdout
+        [row] = pyarrow.parquet.read_table(results).to_pylist()
+        assert (row["printer"], row["material"]) == ("voron-2.4", "pla")
+        assert row["version"] == __version__
+        assert row["wireprint_time_s"] == row["print_time_s"]
+
+    def test_the_command_fails_where_every_row_does(self, cube, tmp_path):
+        broken = tmp_path / "broken.stl"
+        broken.write_bytes(b"no model")
+        assert bench(broken, "-o", tmp_path / "a.csv", "--jobs", "1").exit_code == 1
+
+    def test_a_picture_that_is_no_histogram_is_not_overwritten(self, cube, tmp_path):
+        picture = tmp_path / "results.png"
+        picture.write_bytes(b"\x89PNG holiday")
+        done = bench(cube, "-o", tmp_path / "results.csv", "--jobs", "1")
+        assert done.exit_code == 2
+        assert "no histogram" in done.stderr
+        assert picture.read_bytes() == b"\x89PNG holiday"
+        picture.write_bytes(histogram.png([1.0], "", ""))
+        assert histogram.is_ours(picture)
+
+    def test_without_a_terminal_a_line_is_printed_now_and_then(self, cubes, tmp_path, monkeypatch):
+        monkeypatch.setattr(progress, "LINE_EVERY_S", 0.0)
+        done = bench(cubes, "-o", tmp_path / "results.csv", "--no-compare", "--jobs", "2")
+        assert "8 of 8 models, 0 failed" in done.stderr
 
     def test_a_second_run_computes_nothing(self, cubes, tmp_path):
         results = tmp_path / "results.csv"

@@ -225,7 +225,7 @@ def test_parking_stays_within_the_machine():
 
 
 def test_braces_that_mean_nothing_are_refused():
-    with pytest.raises(SettingError, match=r"gcode: start has braces .* \{nozzle_c\}, \{bed_c\}"):
+    with pytest.raises(SettingError, match=r"gcode\.start: .* there are \{nozzle_c\}, \{bed_c\}"):
         Settings.load(overrides=["gcode.start='M104 S{temperature}'"])
     settings = Settings.load(overrides=["gcode.start='SET A={{1}} T={nozzle_c}'"])
     assert b"SET A={1} T=240\n" in document.body(path(**SMALL), settings, DATE)

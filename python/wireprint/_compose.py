@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
-from wireprint import catalogue
+from wireprint import catalogue, toml
 from wireprint._core import SettingError
 
 if TYPE_CHECKING:
@@ -53,10 +53,12 @@ def validate(model: type[Model], values: Mapping[str, Any], origins: Origins) ->
     try:
         return model.model_validate(values)
     except ValidationError as error:
-        faults = error.errors(include_url=False)
+        # An unknown key is often why another one is missing.
+        unknown = "extra_forbidden"
+        faults = sorted(error.errors(include_url=False), key=lambda fault: fault["type"] != unknown)
         key = tuple(str(part) for part in faults[0]["loc"])
         more = f" (and {len(faults) - 1} more)" if len(faults) > 1 else ""
-        if faults[0]["type"] == "extra_forbidden":
+        if faults[0]["type"] == unknown:
             what = f"unknown key{_suggestion(model, key)}"
         else:
             what = faults[0]["msg"].removeprefix("Value error, ")
@@ -66,8 +68,9 @@ def validate(model: type[Model], values: Mapping[str, Any], origins: Origins) ->
 
 
 def _add_file(values: dict[str, Any], origins: Origins, path: Path, prefix: Key) -> None:
-    text, table = _read(path)
+    text, table = toml.read(path)
     _merge(values, _nest(prefix, table))
+    origins[prefix] = f"{path.name}: "
     for key, line in _lines_of_keys(text):
         origins[prefix + key] = f"{path.name}:{line}: "
 
@@ -75,7 +78,7 @@ def _add_file(values: dict[str, Any], origins: Origins, path: Path, prefix: Key)
 def _add_loaded(
     model: type[BaseModel], values: dict[str, Any], origins: Origins, path: Path
 ) -> None:
-    text, table = _read(path)
+    text, table = toml.read(path)
     lines = dict(_lines_of_keys(text))
     for name, value in table.items():
         place = f"{path.name}:{lines.get((name,), 1)}: "
@@ -99,24 +102,11 @@ def _add_override(
     origins[key] = place
 
 
-def _read(path: Path) -> tuple[str, dict[str, Any]]:
-    try:
-        text = path.read_text(encoding="utf-8")
-        return text, tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        msg = f"{path.name}: not TOML: {error}"
-    except UnicodeDecodeError:
-        msg = f"{path.name}: not UTF-8 text"
-    except OSError as error:
-        msg = f"{path}: {error.strerror}"
-    raise SettingError(msg)
-
-
 def _value(text: str) -> Any:
     """Return a value as TOML reads it; a bare word is a string."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+    except (ValueError, RecursionError):
         return text
 
 
@@ -173,6 +163,8 @@ def _shown(model: type[BaseModel], key: Key) -> str:
 def _dotted(model: type[BaseModel], key: Key) -> str:
     """Return the key as a user writes it, without the ``printer.`` that may be left out."""
     may_leave_out = len(key) > 1 and key[0] == "printer" and "printer" in model.model_fields
+    if key == ("printer", "name"):  # A material has one, too.
+        may_leave_out = False
     return ".".join(key[1:] if may_leave_out else key)
 
 

@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 PLACES = 64
 #: What the outcome depends on besides the settings' own text.
 _CODE = tuple(
-    Path(__file__).with_name(name) for name in ("settings.py", "_compose.py", "cooling.py")
+    Path(__file__).parent / name
+    for name in ("settings.py", "_compose.py", "cooling.py", "gcode/sequence.py")
 )
 
 

@@ -11,6 +11,10 @@ from wireprint._core import SettingError
 Kind = Literal["printers", "materials"]
 KINDS: tuple[Kind, ...] = ("printers", "materials")
 
+#: Profiles of other programs: Klipper's and PrusaSlicer's, OrcaSlicer's and Cura's.
+FOREIGN_SUFFIXES = (".cfg", ".ini", ".json")
+_EXAMPLE: dict[Kind, str] = {"printers": "prusa-mk4s", "materials": "pla"}
+
 _FOLDER = Path(__file__).parent / "profiles"
 
 
@@ -34,16 +38,23 @@ def find(kind: Kind, name: str) -> Path:
     SettingError
         Where there is no such profile; close names are suggested.
     """
+    noun = kind.removesuffix("s")
     if name.endswith(".toml"):
         path = Path(name)
         if path.is_file():
             return path
         msg = f"{name}: no such file"
         raise SettingError(msg)
+    if name.endswith(FOREIGN_SUFFIXES):
+        example = _EXAMPLE[kind]
+        msg = (
+            f"{name}: a {noun}'s profile is a TOML file; write one from the nearest "
+            f"(wireprint profiles {example} > mine.toml), with the figures of that file"
+        )
+        raise SettingError(msg)
     known = names(kind)
     if name in known:
         return _FOLDER / kind / f"{name}.toml"
-    noun = kind.removesuffix("s")
     msg = f"no {noun} is called {name!r}; {hint(name, known)}"
     raise SettingError(msg)
 

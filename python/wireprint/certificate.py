@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import _core
 from wireprint._core import GcodeError
 from wireprint.limits import firmware_of
+from wireprint.naming import named
 from wireprint.stages import on_bed
 
 if TYPE_CHECKING:
@@ -294,7 +295,8 @@ def check(
     1.0
     """
     text = source if isinstance(source, bytes) else Path(source).read_bytes()
-    settings = settings_for(text, printer)
+    with named(None if isinstance(source, bytes) else source):
+        settings = settings_for(text, printer)
     rules = rules_of(settings)
     core = _core.certify(text, rules)
     if core.moves == 0:

@@ -56,8 +56,7 @@ class Output:
             It cannot be written; then nothing has changed, unless it went to a pipe or device.
         """
         if self.path is None:
-            sys.stdout.buffer.write(content)
-            sys.stdout.buffer.flush()
+            to_stdout(content)
             return
         self.make_folder()
         written_whole(self.path, content)
@@ -121,6 +120,25 @@ def output(
     if not in_folder and not os.path.isdir(path.parent):
         raise OutputError(f"{path}: there is no folder {path.parent}")
     return Output(path, makes_folder=in_folder)
+
+
+def to_stdout(content: bytes) -> None:
+    """Write to stdout.
+
+    Raises
+    ------
+    OutputError
+        It takes no more.
+    BrokenPipeError
+        Nobody reads it.
+    """
+    try:
+        sys.stdout.buffer.write(content)
+        sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise _refused(Path("stdout"), error) from None
 
 
 def apart(target: str | os.PathLike[str] | int, inputs: Iterable[str | os.PathLike[str]]) -> None:

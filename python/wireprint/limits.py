@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, TypedDict, get_args
 
+from wireprint import toml
 from wireprint._core import SettingError
 
 if TYPE_CHECKING:
@@ -94,14 +94,7 @@ def of_file(where: str) -> MotionTable:
         Where the file, the table or one of its values is wrong.
     """
     name, _, table = where.partition("#")
-    try:
-        values: Any = tomllib.loads(Path(name).read_text(encoding="utf-8"))
-    except OSError as error:
-        msg = f"{name}: {error.strerror}"
-        raise SettingError(msg) from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        msg = f"{name}: not TOML: {error}"
-        raise SettingError(msg) from None
+    values: Any = toml.read(Path(name))[1]
     for part in filter(None, table.split(".")):
         if not isinstance(values, dict) or part not in values:
             known = ", ".join(key for key, value in values.items() if isinstance(value, dict))

@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
 
 @contextmanager
-def named(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Put a file's name before errors about it that do not begin with it."""
+def named(path: str | os.PathLike[str] | None) -> Iterator[None]:
+    """Put a file's name, if there is one, before errors about it that do not begin with it."""
     try:
         yield
     except WireprintError as error:
-        name = os.fspath(path)
-        if str(error).startswith(name):
+        if path is None or str(error).startswith(os.fspath(path)):
             raise
+        name = os.fspath(path)
         raise type(error)(f"{name}: {error}") from error

@@ -12,9 +12,10 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
 
 from wireprint.cooling import cooling_s
+from wireprint.gcode import sequence
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -40,6 +41,17 @@ StepsPerAxis = tuple[StepsPerMm, StepsPerMm, StepsPerMm, StepsPerMm]
 
 CoolingMethod = Literal["valve", "fan", "none"]
 Flavor = Literal["marlin", "reprapfirmware", "repetier", "klipper"]
+
+
+def _one_printable_line(name: str) -> str:
+    """Refuse what would end a comment in G-code, or that a terminal would obey."""
+    if not name.isprintable():
+        raise ValueError("a name is one line of printable characters")
+    return name
+
+
+#: Written into comments of G-code, onto pages and into terminals.
+Name = Annotated[str, Field(min_length=1, max_length=100), AfterValidator(_one_printable_line)]
 
 
 #: A strand bears the nozzle's pull from a little above its glass transition on: a model of a
@@ -238,25 +250,23 @@ class Gcode(Section):
     start: str = Field(description="heats and homes; may use {nozzle_c}, {bed_c}")
     end: str = Field(description="cools and parks; may use {park_z_mm}, 10 mm above the print")
 
-    @model_validator(mode="after")
-    def _sequences_use_known_names(self) -> Self:
-        for name, text, known in (
-            ("start", self.start, {"nozzle_c": 0, "bed_c": 0}),
-            ("end", self.end, {"park_z_mm": 0}),
-        ):
-            try:
-                text.format_map(known)
-            except (KeyError, ValueError, IndexError, AttributeError):
-                names = ", ".join(f"{{{key}}}" for key in known)
-                msg = f"{name} has braces around something else than {names}; double the others"
-                raise ValueError(msg) from None
-        return self
+    @field_validator("start")
+    @classmethod
+    def _start_uses_known_names(cls, text: str) -> str:
+        sequence.check(text, ("nozzle_c", "bed_c"))
+        return text
+
+    @field_validator("end")
+    @classmethod
+    def _end_uses_known_names(cls, text: str) -> str:
+        sequence.check(text, ("park_z_mm",))
+        return text
 
 
 class Printer(Section):
     """A machine: ``profiles/printers/*.toml``."""
 
-    name: str
+    name: Name
     kinematics: Literal["delta", "cartesian", "corexy"]
     bed: Bed
     head: Head
@@ -280,7 +290,7 @@ class Printer(Section):
 class Material(Section):
     """A filament: ``profiles/materials/*.toml``."""
 
-    name: str
+    name: Name
     density_g_cm3: float = Field(gt=0.5, le=10)
     price_per_kg: float = Field(ge=0, le=1e6, description="in the user's currency")
     nozzle_c: int = Field(ge=100, le=500, description="temperature of the nozzle")

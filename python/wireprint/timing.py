@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import _core
 from wireprint import limits as motion_limits
 from wireprint._core import GcodeError, SettingError
+from wireprint.naming import named
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -214,7 +215,7 @@ def estimate_files(
     GcodeError
         For the first file that cannot be read.
     """
-    machines = [choice.machine(_tail(path)) for path in paths]
+    machines = [_machine_of(path, choice) for path in paths]
     found: list[Estimate | None] = [None] * len(paths)
     for machine in (one for i, one in enumerate(machines) if one not in machines[:i]):
         places = [i for i, one in enumerate(machines) if one == machine]
@@ -305,6 +306,16 @@ def clock(seconds: float) -> str:
 def _options(allowances: Allowances, per_move: bool) -> dict[str, Any]:
     times = (allowances.homing_s, allowances.nozzle_heating_s, allowances.bed_heating_s)
     return {"allowances_s": times, "per_move": per_move}
+
+
+def _machine_of(path: str | os.PathLike[str], choice: Choice) -> Machine:
+    with named(path):
+        try:
+            return choice.machine(_tail(path))
+        except GcodeError:
+            # Only the whole file tells the line of what is damaged.
+            with open(path, "rb") as file:
+                return choice.machine(file.read())
 
 
 def _tail(path: str | os.PathLike[str]) -> bytes:

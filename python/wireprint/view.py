@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 from wireprint._core import Mesh, Scene, SettingError, Strands
 from wireprint.files import GCODE_SUFFIXES, apart, written_whole
 from wireprint.naming import named
+from wireprint.text import one_line
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterable, Sequence
@@ -196,7 +197,7 @@ TRAVELS: Final = Entry("travel", "travel", TRAVEL)
 def style_of(label: str) -> Style:
     """How strands with a ``;TYPE:`` label are shown, other programs' labels included."""
     known = STYLES.get(label)
-    return known or Style(label or UNLABELLED, FOREIGN)
+    return known or Style(one_line(label) or UNLABELLED, FOREIGN)
 
 
 def palette(strands: Strands, kinds: Collection[str] | None = None) -> list[Rgb | None]:
@@ -391,9 +392,9 @@ def _write(path: str | os.PathLike[str], content: bytes, source: Source) -> None
 
 
 def _title(title: str | None, source: Source) -> str:
-    if title is not None:
-        return title
-    return Path(source).name if isinstance(source, str | os.PathLike) else ""
+    if title is None:
+        title = Path(source).name if isinstance(source, str | os.PathLike) else ""
+    return one_line(title)
 
 
 def _points(breaches: Iterable[Sequence[float]]) -> list[tuple[float, float, float]]:

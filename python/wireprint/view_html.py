@@ -139,8 +139,8 @@ class Page:
     def text(self) -> str:
         """Return the page."""
         template = resources.files("wireprint").joinpath("view.html").read_text(encoding="utf-8")
-        # "</" would end the element that holds the data.
-        data = json.dumps(self.data, separators=(",", ":")).replace("</", "<\\/")
+        # In the element that holds the data, some words that begin with "<" would be obeyed.
+        data = json.dumps(self.data, separators=(",", ":")).replace("<", "\\u003c")
         head, tail = template.split("$DATA")
         return head.replace("$TITLE", html.escape(self.title)) + data + tail
 

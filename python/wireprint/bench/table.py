@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-import sys
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
 from wireprint.bench import journal
 from wireprint.bench.figures import column
 from wireprint.comparison import CONDITIONS, HYBRID
-from wireprint.files import written_whole
+from wireprint.files import to_stdout, written_whole
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -120,8 +119,7 @@ class Table:
     def finish(self, rows: Sequence[Row]) -> None:
         """Write the rows of a run, in its order, after older ones of other models or settings."""
         if self._path is None:
-            sys.stdout.buffer.write(_csv(rows))
-            sys.stdout.buffer.flush()
+            to_stdout(_csv(rows))
             return
         ours = {_key(row) for row in rows}
         others = [row for key, row in self._rows.items() if key not in ours]

@@ -11,7 +11,7 @@ import click
 
 from wireprint import streams
 from wireprint._core import __version__
-from wireprint.cli.failure import fail, leave
+from wireprint.cli.failure import Unread, fail, leave
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -61,6 +61,13 @@ class Commands(click.Group):
         """List the subcommands without importing them."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, summary) for name, (_, _, summary) in COMMANDS.items()])
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the subcommand; a reader that went away is told, not taken for a fault by click."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError as error:
+            raise Unread from error
 
     def main(
         self,

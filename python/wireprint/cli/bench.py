@@ -85,7 +85,7 @@ def bench(
     tasks = plan(models, Placement(**options), fingerprint, partial(_own_settings, chosen))
     inputs = [*(name for name in models if name != STREAM), *(task.model for task in tasks)]
     target = files.output(output, "results.csv", SUFFIXES, [*inputs, *chosen.files])
-    picture = _picture(target)
+    picture = _picture(target) if compare else None
     workers = run.cluster(job, scheduler) if scheduler else run.local(job, jobs)
     with Progress(len(tasks), lines=True) as progress:
 

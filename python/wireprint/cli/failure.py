@@ -24,6 +24,10 @@ EXIT_INTERRUPTED = 130
 EXIT_BROKEN_PIPE = 141
 
 
+class Unread(Exception):  # noqa: N818 - nothing is wrong
+    """Nobody reads any more what is written to stdout."""
+
+
 def exit_code_of(error: BaseException) -> int:
     """Return the exit code of a failure."""
     if isinstance(error, click.ClickException):
@@ -32,7 +36,7 @@ def exit_code_of(error: BaseException) -> int:
         return EXIT_INTERRUPTED
     if isinstance(error, WireprintError):
         return error.exit_code
-    if isinstance(error, BrokenPipeError):
+    if isinstance(error, Unread):
         return EXIT_BROKEN_PIPE
     # What cannot be written is an `OutputError`.
     return EXIT_UNREADABLE if isinstance(error, OSError) else EXIT_FAULT
@@ -85,8 +89,8 @@ def fail(error: BaseException, arguments: Sequence[str]) -> NoReturn:
     if os.environ.get("WIREPRINT_TRACEBACK"):
         raise error
     code = exit_code_of(error)
-    if isinstance(error, BrokenPipeError):
-        # Nobody listens; what is left in the buffers would only fail again.
+    if isinstance(error, Unread):
+        # What is left in the buffers would only fail again.
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     else:
         if "--json" in arguments:

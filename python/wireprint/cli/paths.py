@@ -39,12 +39,10 @@ class InputFile(_FileName):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Path:
         """Return a path that can be read as often as needed."""
         path = streams.STDIN if value == STREAM else Path(value)
-        try:
-            return streams.regular(path)
-        except streams.InputError:
-            if self._must_be_there:
-                raise
+        # What is not there, or is a folder, can wait to be found out; a pipe cannot.
+        if not self._must_be_there and (not path.exists() or path.is_dir()):
             return path
+        return streams.regular(path)
 
 
 class OutputName(_FileName):

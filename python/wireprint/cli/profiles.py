@@ -6,7 +6,7 @@ import click
 
 from wireprint import catalogue
 from wireprint._core import SettingError
-from wireprint.cli.say import say
+from wireprint.cli.say import say, say_all
 
 
 @click.command()
@@ -25,7 +25,7 @@ def profiles(name: str | None) -> None:
         return
     for kind in catalogue.KINDS:
         if name in catalogue.names(kind):
-            click.echo(catalogue.find(kind, name).read_text(encoding="utf-8"), nl=False)
+            say_all(catalogue.find(kind, name).read_text(encoding="utf-8").splitlines())
             return
     everything = [known for kind in catalogue.KINDS for known in catalogue.names(kind)]
     msg = f"no profile is called {name!r}; {catalogue.hint(name, everything)}"

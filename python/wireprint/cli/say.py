@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from wireprint.files import OutputError
 from wireprint.text import one_line
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ def say(*lines: str, err: bool = False) -> None:
         Whether on stderr: where it is no result, or stdout holds the result itself.
     """
     for line in lines:
-        click.echo(one_line(line), err=err)
+        _echo(one_line(line), err)
 
 
 def say_all(lines: Iterable[str], *, err: bool = False) -> None:
@@ -35,4 +36,14 @@ def say_all(lines: Iterable[str], *, err: bool = False) -> None:
 
 def say_json(found: Any, *, indent: int | None = None, err: bool = False) -> None:
     """Print an object as JSON, all of it ASCII."""
-    click.echo(json.dumps(found, indent=indent), err=err)
+    _echo(json.dumps(found, indent=indent), err)
+
+
+def _echo(text: str, err: bool) -> None:
+    try:
+        click.echo(text, err=err)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        name = "stderr" if err else "stdout"
+        raise OutputError(f"{name}: {error.strerror or error}") from None

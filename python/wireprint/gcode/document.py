@@ -24,7 +24,9 @@ from wireprint._core import (
     format_moves,
     insert_progress,
 )
+from wireprint.gcode import sequence
 from wireprint.gcode.flavors import FLAVORS, LAYER
+from wireprint.text import one_line
 from wireprint.timing import Filament
 
 if TYPE_CHECKING:
@@ -65,8 +67,12 @@ def dated(model: Path | None) -> datetime:
         except (ValueError, OverflowError, OSError):
             msg = f"SOURCE_DATE_EPOCH is {epoch!r}; it must be a number of seconds"
             raise SettingError(msg) from None
-    seconds = int(model.stat().st_mtime) if model is not None else 0
-    return datetime.fromtimestamp(seconds, UTC)
+    try:
+        seconds = int(model.stat().st_mtime) if model is not None else 0
+        return datetime.fromtimestamp(seconds, UTC)
+    except (ValueError, OverflowError, OSError):
+        # A date that no calendar has, such as a broken disk's.
+        return datetime.fromtimestamp(0, UTC)
 
 
 def body(
@@ -97,7 +103,7 @@ def header(
     for thumbnail in thumbnails:
         lines += _thumbnail_lines(thumbnail)
     lines += [f"; {settings.printer.name}, {settings.material.name}"]
-    lines += [f"; {remark}" for remark in remarks]
+    lines += [f"; {one_line(remark)}" for remark in remarks]
     lines += ["", ""]
     return "\n".join(lines).encode()
 
@@ -114,7 +120,7 @@ def commands(toolpath: Toolpath, settings: Settings, *, wire: bool = True) -> by
     """
     gcode = settings.printer.gcode
     material = settings.material
-    names: dict[str, Any] = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c}
+    names = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c}
     park_z = min(toolpath.top_mm + _PARK_MM, settings.printer.bed.height_mm)
     gentle, usual = _bed_limits(settings) if wire else ("", "")
     parts = [
@@ -123,7 +129,7 @@ def commands(toolpath: Toolpath, settings: Settings, *, wire: bool = True) -> by
         gentle.encode(),
         moves(toolpath, settings),
         usual.encode(),
-        _sequence(gcode.end, {"park_z_mm": f"{park_z:.3f}"}).encode(),
+        _sequence(gcode.end, {"park_z_mm": park_z}).encode(),
     ]
     return b"".join(parts)
 
@@ -201,7 +207,7 @@ def settings_in(text: bytes) -> Settings | None:
     Raises
     ------
     GcodeError
-        The block of settings is damaged.
+        The block of settings is damaged, or another version wrote it; it names the line.
     """
     begin, end = text.rfind(_SETTINGS_BEGIN.encode()), text.rfind(_SETTINGS_END.encode())
     if not 0 <= begin < end:
@@ -209,17 +215,24 @@ def settings_in(text: bytes) -> Settings | None:
     from wireprint.settings import Settings
 
     values: dict[str, Any] = {}
+    number = text.count(b"\n", 0, begin) + 1
+    way_out = "name what it was made for by --printer, for an estimate also by --material"
     try:
-        for line in text[begin:end].decode().splitlines()[1:]:
+        for line in text[begin:end].decode().split("\n")[1:-1]:
+            number += 1
             key, _, value = line.removeprefix("; ").partition(" = ")
             *groups, name = key.split(".")
             table = values
             for group in groups:
                 table = table.setdefault(group, {})
             table[name] = json.loads(value)
+    except (ValueError, AttributeError, TypeError, RecursionError):
+        msg = f"line {number}: the settings that the file was made with are damaged; {way_out}"
+        raise GcodeError(msg) from None
+    try:
         return Settings.from_mapping(values)
-    except (ValueError, AttributeError) as error:
-        msg = f"the settings in the file are damaged: {error}"
+    except SettingError as error:
+        msg = f"the settings that the file was made with do not fit: {error}; {way_out}"
         raise GcodeError(msg) from None
 
 
@@ -247,8 +260,8 @@ def _thumbnail_lines(thumbnail: Thumbnail) -> list[str]:
     ]
 
 
-def _sequence(template: str, names: Mapping[str, Any]) -> str:
-    text = template.format_map(names).strip()
+def _sequence(template: str, numbers: Mapping[str, float]) -> str:
+    text = sequence.filled(template, numbers).strip()
     return f"{text}\n" if text else ""
 
 
