@@ -22,7 +22,7 @@ def shortcomings(part, settings):
     """
     vertices, faces = part.mesh()
     try:
-        made = make(Mesh.from_arrays(vertices, faces.astype(np.int64)), settings)
+        made = make(Mesh.from_arrays(vertices, faces.astype(np.int64)), settings, partial=True)
     except WireprintError as error:
         return ["refused: " + re.sub(r"[-−\d.,]+", "#", str(error)).split(":")[0][:80]]
     told = made.figures()

@@ -1,5 +1,7 @@
 """Wire prints with regions of layers: what is marked is layers, what is not stays wire."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
@@ -9,7 +11,9 @@ from scipy.spatial import cKDTree
 from test_random_models import BALL, blob, tower
 from wireprint import examples
 from wireprint._core import KINDS, Mesh
+from wireprint.hybrid import prove
 from wireprint.hybrid.motion import motion
+from wireprint.hybrid.plan import Plan
 from wireprint.layerwise.areas import areas
 from wireprint.layerwise.printing import layered
 from wireprint.layerwise.recipe import Recipe
@@ -238,17 +242,65 @@ def test_a_lid_is_closed_once_where_layers_lie_below_it(models):
     assert area == pytest.approx(14 * 14, rel=0.15)
 
 
-def test_a_slab_whose_fill_breaks_a_rule_stays_hollow_and_keeps_its_runs(models):
-    box = Box(low_mm=(-20, -20, 10), high_mm=(2, 20, 20))
-    plan = printed(models("cube"), box, certify=False).regions.plan
-    slab = plan.sections[0].slab
-    left = plan.without({}, {slab: "overhang"})
+@pytest.fixture
+def planted(monkeypatch):
+    """Let the first print of a region have one more breach, at a place of its plan."""
+
+    def plant(place_of):
+        judge, plan_of, plans, found = prove.check, Plan.of, [], []
+
+        def kept(*arguments):
+            plans.append(plan_of(*arguments))
+            return plans[0]
+
+        def check(text, settings):
+            verdict = judge(text, settings)
+            if found:
+                return verdict
+            place = np.add(place_of(plans[0]), (*settings.printer.bed.centre_mm, 0.0))
+            breaches = verdict.breaches()
+            breaches["floating_starts"] = [SimpleNamespace(at_mm=tuple(place))]
+            found.append(place)
+            return SimpleNamespace(breaches=lambda: breaches)
+
+        monkeypatch.setattr(Plan, "of", kept)
+        monkeypatch.setattr(prove, "check", check)
+        return plans
+
+    return plant
+
+
+def test_a_slab_whose_fill_breaks_a_rule_stays_hollow_and_keeps_its_runs(models, planted):
+    def deep_inside(plan):
+        low = plan.cut.z[plan.cut.slab == plan.sections[0].slab][-1]
+        return np.array([-6.0, 0.0, low])
+
+    plans = planted(deep_inside)
+    made = printed(models("cube"), Box(low_mm=(-20, -20, 10), high_mm=(2, 20, 20)))
+    plan, left = plans[0], made.regions.plan
+    assert made.certificate.ok
+    assert made.regions.rounds == 2
     assert left.sections == plan.sections
-    assert 0 < left.filled_mm3 < plan.filled_mm3
+    slab = plan.sections[0].slab
     here = [left.filled_at(np.array([-6.0, 0.0, z])) for z in plan.cut.z[plan.cut.slab == slab]]
     assert here == [None] * len(here)
     (named,) = (part for part in left.left_hollow() if part.reason == "overhang")
     assert named.volume_mm3 == pytest.approx(plan.filled_mm3 - left.filled_mm3, rel=0.2)
+    assert 0 < left.filled_mm3 < plan.filled_mm3
+
+
+def test_a_run_that_breaks_a_rule_stays_wire_and_is_named(models, planted):
+    plans = planted(lambda plan: plan.samples.middle[np.flatnonzero(plan.runs.of_sample == 0)[0]])
+    made = printed(
+        models("bottle", height_mm=90), Box(low_mm=(-40, -40, 20), high_mm=(40, -10, 60))
+    )
+    assert made.certificate.ok
+    assert made.regions.rounds == 2
+    lost = plans[0].sections[0]
+    assert lost not in made.regions.plan.sections
+    assert len(made.regions.plan.sections) == len(plans[0].sections) - 1
+    dropped = made.figures()["regions"]["dropped"]
+    assert [(run["slab"], run["reason"]) for run in dropped] == [(lost.slab, "overhang")]
 
 
 def test_paint_has_no_inside(models):
@@ -326,28 +378,46 @@ def shape_on(mesh, kind, x, y, z, size):
     return ZRange(low_mm=centre[2] - reach, high_mm=centre[2] + reach)
 
 
-def certified_or_refused_by_name(vertices, faces, marks):
-    mesh = Mesh.from_arrays(vertices, faces)
-    region = Region()
-    for erase, mark in marks:
-        shape = shape_on(mesh, *mark)
-        region = region.erase(shape) if erase else region.add(shape)
-    made = make(mesh, SETTINGS, region, compare=False)
-    if not made.certificate.ok:
-        # Only where the wire alone breaks the rules, and then all of it stays wire.
-        assert not make(mesh, SETTINGS, compare=False).certificate.ok
-    if region:
-        report = made.figures()["regions"]
-        assert all(part["reason"] and part["help"] for part in report["dropped"] + report["hollow"])
+#: Least share of random regions of which something is printed as layers.
+LAYERED = 0.6
 
 
-few = settings(max_examples=8, suppress_health_check=[HealthCheck.too_slow])
+@pytest.fixture
+def certified_or_refused_by_name():
+    """Judge random regions; of all of a test's, the most must come to layers."""
+    layered = []
+
+    def judge(vertices, faces, marks):
+        mesh = Mesh.from_arrays(vertices, faces)
+        region = Region()
+        for erase, mark in marks:
+            shape = shape_on(mesh, *mark)
+            region = region.erase(shape) if erase else region.add(shape)
+        made = make(mesh, SETTINGS, region, compare=False)
+        if not made.certificate.ok:
+            # Only where the wire alone breaks the rules, and then all of it stays wire.
+            assert not make(mesh, SETTINGS, compare=False).certificate.ok
+        if region:
+            report = made.figures()["regions"]
+            named = report["dropped"] + report["hollow"]
+            assert all(part["reason"] and part["help"] for part in named)
+            if report["runs"] or report["dropped"]:
+                layered.append(report["layer_wise_mm"] > 0)
+
+    yield judge
+    assert sum(layered) >= LAYERED * len(layered) > 0
+
+
+few = settings(
+    max_examples=8,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
+)
 MARKS = st.lists(st.tuples(st.booleans(), SHAPE), min_size=1, max_size=3)
 
 
 @few
 @given(st.lists(st.floats(6, 30), min_size=2, max_size=4), st.integers(2, 7), MARKS, st.data())
-def test_random_regions_on_random_towers(radii, lobes, marks, data):
+def test_random_regions_on_random_towers(certified_or_refused_by_name, radii, lobes, marks, data):
     steps = len(radii) - 1
     heights = data.draw(st.lists(st.floats(2, 15), min_size=steps, max_size=steps))
     certified_or_refused_by_name(*tower(radii, heights, lobes, 0.25), marks)
@@ -355,7 +425,7 @@ def test_random_regions_on_random_towers(radii, lobes, marks, data):
 
 @few
 @given(st.lists(BALL, min_size=1, max_size=5), MARKS)
-def test_random_regions_on_random_blobs(balls, marks):
+def test_random_regions_on_random_blobs(certified_or_refused_by_name, balls, marks):
     try:
         vertices, faces = blob(balls)
     except ValueError:
