@@ -10,11 +10,7 @@ use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe::place::posts::{
     Candidate, Post, PostParams, leads_down, place, reachable,
 };
-
-/// The weights, said once more: a change of one is a change of what posts are for.
-const EVEN: f64 = 0.6;
-const ALIGN: f64 = 1.2;
-const LONE: f64 = 12.0;
+use wireprint_core::wireframe::place::tuning::{ALIGN, EVEN, LONE};
 
 fn head() -> Head {
     Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 40.0).unwrap()

@@ -72,6 +72,12 @@ impl Station {
         self.position
     }
 
+    /// Arc length from the curve's first point, mm; beyond the curve's length in the second lap.
+    #[must_use]
+    pub fn arc_length(&self) -> f64 {
+        self.s
+    }
+
     /// Integral of the squared distance between the curve from here to `end`, further along it,
     /// and the chord's line, mm³: what a strand loses that cuts straight across.
     #[must_use]

@@ -21,6 +21,7 @@ pub mod needs;
 pub mod obstacles;
 pub mod on_layers;
 pub mod order;
+pub mod pairs;
 pub mod ring;
 pub mod slab;
 pub mod stand;

@@ -17,6 +17,7 @@ use crate::wireframe::lay::job::{Job, plans};
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::layers::{join_pieces, print_layers};
 use crate::wireframe::lay::order::Order;
+use crate::wireframe::lay::pairs::{pairs, woven};
 use crate::wireframe::lay::stand::posts_of;
 use crate::wireframe::lay::ties::{Flat, is_loose, tie_over, tighten, was_tied};
 use crate::wireframe::lay::tops::Top;
@@ -43,25 +44,46 @@ pub fn slab_in(
     let (mut waiting, mut loose, mut bare) = (Vec::new(), Vec::new(), Vec::new());
     let mut ranks = ranks(cx, journal, order, top, jobs, ground).map(Vec::into_iter);
     let mut order = Waiting::new(jobs.iter().map(|job| plans(job, ground)).collect());
+    let pairs = pairs(cx, top, jobs, ground);
+    let mut done = vec![false; jobs.len()];
     loop {
         let next = match &mut ranks {
             Some(ranks) => ranks.next().inspect(|&next| order.take(next)),
             None => order.take_nearest(journal.place()),
         };
         let Some(next) = next else { break };
-        let job = &jobs[next];
-        let Some(curve) = &top.curves[job.curve] else { continue };
-        let Some(standing) = posts_of(cx, journal, top, job, ground) else {
-            bare.push(job);
+        if std::mem::replace(&mut done[next], true) {
             continue;
+        }
+        let other = pairs[next].filter(|&other| !done[other]);
+        let both = other.and_then(|other| {
+            let found = woven(cx, journal, top, [&jobs[next], &jobs[other]], ground)?;
+            order.take(other);
+            done[other] = true;
+            Some(found.map(|(curve, standing)| {
+                let job = if jobs[next].curve == curve { next } else { other };
+                (&jobs[job], standing)
+            }))
+        });
+        let stand = match both {
+            Some(both) => Vec::from(both),
+            None => vec![(&jobs[next], posts_of(cx, journal, top, &jobs[next], ground))],
         };
-        journal.note_sag(sag(curve, &standing));
-        if is_loose(cx, top, curve, &standing) || was_tied(cx, journal, curve, z) {
-            loose.push(standing);
-        } else if layers.is_some() || is_in_the_way(curve, &order, top.reach) {
-            waiting.push(standing);
-        } else {
-            printed.rims[job.curve] = Some(ring(cx, journal, top, &standing));
+        // The ring on which the head is comes first.
+        for (job, standing) in stand.into_iter().rev() {
+            let Some(curve) = &top.curves[job.curve] else { continue };
+            let Some(standing) = standing else {
+                bare.push(job);
+                continue;
+            };
+            journal.note_sag(sag(curve, &standing));
+            if is_loose(cx, top, curve, &standing) || was_tied(cx, journal, curve, z) {
+                loose.push(standing);
+            } else if layers.is_some() || is_in_the_way(curve, &order, top.reach) {
+                waiting.push(standing);
+            } else {
+                printed.rims[job.curve] = Some(ring(cx, journal, top, &standing));
+            }
         }
     }
     if let Some(layers) = layers {

@@ -113,7 +113,8 @@ fn stand_on(
         None => steps = met(curve, steps, cx.p.span_limit),
     }
     let down = if up == Kind::Post { Kind::Diagonal } else { up };
-    let mut posts = zigzag_strokes(journal, &steps, up, down, cx.p.span_limit);
+    let standing = zigzag_strokes(journal, &steps, up, down, cx.p.span_limit);
+    let mut posts: Vec<Post> = standing.into_iter().map(|i| steps[i].post).collect();
     posts.retain(|post| post.base != post.peak);
     if up == Kind::Post {
         journal.note_posts(top.slab as u32, top.contour(job.curve) as u32, &posts);
@@ -172,7 +173,8 @@ pub fn on_peaks(
     if steps.len() != carrier.points.len() || steps.iter().skip(1).any(|s| !s.linked) {
         return None;
     }
-    let posts = zigzag_strokes(journal, &steps, Kind::Post, Kind::Diagonal, cx.p.span_limit);
+    let standing = zigzag_strokes(journal, &steps, Kind::Post, Kind::Diagonal, cx.p.span_limit);
+    let posts: Vec<Post> = standing.into_iter().map(|i| steps[i].post).collect();
     journal.note_posts(top.slab as u32, top.contour(job.curve) as u32, &posts);
     Some(Standing { curve: job.curve, start, posts })
 }

@@ -8,7 +8,8 @@ use crate::wireframe::place::zigzag::Step;
 /// Strokes shorter than this part of the strand's diameter are mere contact and are not printed.
 const CONTACT: f64 = 0.5;
 
-/// Prints a zigzag; posts that the head cannot reach are left out. Returns those that stand.
+/// Prints a zigzag; posts that the head cannot reach are left out. Returns the numbers of those that
+/// stand.
 ///
 /// `down` names the strokes between posts; none longer than `longest` mm is printed.
 pub fn zigzag_strokes(
@@ -17,16 +18,17 @@ pub fn zigzag_strokes(
     up: Kind,
     down: Kind,
     longest: f64,
-) -> Vec<Post> {
+) -> Vec<usize> {
     let contact_length = CONTACT * journal.obstacles.strand();
-    let mut standing: Vec<Post> = Vec::new();
-    for step in steps {
+    let mut standing: Vec<usize> = Vec::new();
+    for (number, step) in steps.iter().enumerate() {
         let Post { base, peak, .. } = step.post;
         if journal.obstacles.is_barred(base, peak) {
             continue;
         }
         let bare = base.distance(peak) < contact_length;
-        if let Some(last) = standing.last().filter(|_| step.linked) {
+        if let Some(&last) = standing.last().filter(|_| step.linked) {
+            let last = steps[last].post;
             let from = last.peak;
             let reach = last.base.distance(from);
             let contact = bare && reach < contact_length;
@@ -41,7 +43,7 @@ pub fn zigzag_strokes(
         if !bare {
             journal.stroke(base, peak, up, true);
         }
-        standing.push(step.post);
+        standing.push(number);
     }
     standing
 }

@@ -77,7 +77,8 @@ pub fn spokes(
     let (start, steps) = zigzag(&input, cx.head, |post| {
         post.base.distance(post.peak) <= limit && wanted(&shift(post))
     });
-    let posts = zigzag_strokes(journal, &steps, kind, kind, cx.p.span_limit);
+    let standing = zigzag_strokes(journal, &steps, kind, kind, cx.p.span_limit);
+    let posts: Vec<Post> = standing.into_iter().map(|i| steps[i].post).collect();
     journal.note_spokes(Spokes { key, posts: posts.clone() });
     (!posts.is_empty()).then_some(Standing { curve: 0, start, posts })
 }

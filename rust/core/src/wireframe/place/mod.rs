@@ -5,5 +5,7 @@ pub mod guide;
 pub mod posts;
 pub mod rim;
 pub mod through;
+pub mod tuning;
 pub mod walls;
+pub mod weave;
 pub mod zigzag;

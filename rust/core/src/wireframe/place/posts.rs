@@ -13,6 +13,7 @@ use crate::geometry::curve::{Curve, Station, simplify};
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::place::rim::{Footing, Rim};
+use crate::wireframe::place::tuning::{ALIGN, EVEN, LONE};
 
 /// One upward stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,13 +74,6 @@ pub struct PostParams {
     pub strokes: Strokes,
 }
 
-/// Weight of uneven spacing against chord errors.
-const EVEN: f64 = 0.6;
-/// Weight of footholds beside the peaks below.
-const ALIGN: f64 = 1.2;
-/// Weight of a post to which no diagonal leads: it costs a retraction, a hop and a brace. Doubled,
-/// chains rather leave corners out.
-const LONE: f64 = 12.0;
 /// A chain may leave gaps of up to this many ideal spacings before any gap is allowed.
 const WIDEST: f64 = 2.5;
 /// More than rounding adds up to along a contour, mm.

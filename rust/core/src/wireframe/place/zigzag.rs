@@ -65,9 +65,9 @@ pub struct ZigzagInput<'a> {
 }
 
 /// Posts keep this much more than the head's bare clearance, for rounding in the written file.
-const SLACK: f64 = 1.01;
+pub const SLACK: f64 = 1.01;
 /// Posts aim at a little more than their least spacing, so that each finds a place.
-const SPARE: f64 = 1.03;
+pub const SPARE: f64 = 1.03;
 /// Where two walls must share the room, posts stand this much further apart than the least, so
 /// that each wall finds gaps in the other's.
 const ROOM: f64 = 1.12;

@@ -1,0 +1,158 @@
+//! The weave of double walls: legal, on both walls, and the cheapest of all on small cases.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use glam::{DVec2, DVec3};
+use proptest::prelude::*;
+use wireprint_core::geometry::curve::{Curve, Station};
+use wireprint_core::head::Head;
+use wireprint_core::stroke::Strokes;
+use wireprint_core::wireframe::place::posts::{Candidate, Post, candidates, leads_down};
+use wireprint_core::wireframe::place::rim::Rim;
+use wireprint_core::wireframe::place::tuning::{ALIGN, EVEN, TURN};
+use wireprint_core::wireframe::place::weave::{Home, Place, WeaveParams, weave};
+
+fn head() -> Head {
+    Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 40.0).unwrap()
+}
+
+fn params(height: f64) -> WeaveParams {
+    let strokes = Strokes::new(&head(), 0.7);
+    WeaveParams { run: strokes.run(height) * 1.04, chord_error: 0.35, strokes }
+}
+
+fn circle(radius: f64) -> Curve {
+    let points: Vec<DVec2> =
+        (0..120).map(|i| radius * DVec2::from_angle(f64::from(i) * 0.05236)).collect();
+    Curve::new(&points, true).unwrap()
+}
+
+/// The places of two rings, one within the other.
+fn rings(outer: f64, gap: f64, height: f64) -> (Vec<Place>, Home) {
+    let walls = [circle(outer), circle(outer - gap)];
+    let pitch = 0.2 * params(height).run;
+    let mut places = Vec::new();
+    for (wall, curve) in walls.iter().enumerate() {
+        let points = curve.points()[..120].iter().map(|p| p.extend(0.0)).collect();
+        let rim = Rim { points, closed: true, printed: true, held: true, ..Rim::default() };
+        for candidate in candidates(curve, height, 0.0, None, &[&rim], pitch, false) {
+            let near = walls[0].nearest(candidate.post.peak.truncate());
+            places.push(Place { wall, along: near.s, candidate });
+        }
+    }
+    places.sort_by(|a, b| a.along.total_cmp(&b.along).then(a.wall.cmp(&b.wall)));
+    let length = walls[0].length();
+    (places, (length, walls.map(|wall| wall.station(0.0, wall.length()))))
+}
+
+#[test]
+fn two_rings_become_one_zigzag_that_visits_both_by_turns() {
+    for (outer, gap, height) in [(40.0, 3.0, 4.0), (25.0, 2.0, 5.0), (60.0, 5.0, 5.5)] {
+        let (places, home) = rings(outer, gap, height);
+        let p = params(height);
+        let way = weave(&places, Some(home), &p);
+        let posts: Vec<&Place> = way.iter().map(|&i| &places[i]).collect();
+        for pair in posts.windows(2) {
+            assert!(leads_down(&p.strokes, &pair[0].candidate.post, &pair[1].candidate.post));
+        }
+        let turns = posts.windows(2).filter(|pair| pair[0].wall != pair[1].wall).count();
+        assert!(turns as f64 >= 0.8 * (posts.len() - 1) as f64, "{turns} of {}", posts.len());
+        // As many posts as runs fit along both walls, hardly fewer.
+        let most = home_length(&home) / (p.run * p.run - gap * gap).sqrt();
+        assert!(posts.len() as f64 > 0.75 * most, "{} of {most}", posts.len());
+    }
+}
+
+fn home_length(home: &Home) -> f64 {
+    home.0
+}
+
+/// What a closed weave costs, straight from its definition.
+fn cost(places: &[Place], way: &[usize], (length, ends): &Home, p: &WeaveParams) -> Option<f64> {
+    let post = |i: usize| &places[i].candidate.post;
+    let unit = p.run * p.chord_error * p.chord_error;
+    let chord = |o: usize, to: &Station| {
+        let from = &places[o].candidate.station;
+        let wait = ((to.arc_length() - from.arc_length()) / (2.0 * p.run) - 1.0).max(0.0);
+        from.chord_error(to) / unit + TURN * wait * wait
+    };
+    let first_on = |wall: usize| places.iter().position(|place| place.wall == wall);
+    let mut sum = 0.0;
+    for (k, &j) in way.iter().enumerate().skip(1) {
+        let i = way[k - 1];
+        let other = way[..k].iter().rev().copied().find(|&o| places[o].wall != places[i].wall);
+        if !leads_down(&p.strokes, post(i), post(j))
+            || other.is_some_and(|o| !leads_down(&p.strokes, post(o), post(j)))
+        {
+            return None;
+        }
+        let run = post(i).peak.truncate().distance(post(j).base.truncate());
+        sum += EVEN * (run / p.run - 1.0).powi(2);
+        sum += ALIGN * (places[j].candidate.offset / p.run).powi(2);
+        let own = way[..k].iter().rev().copied().find(|&o| places[o].wall == places[j].wall);
+        let own = own.or_else(|| first_on(places[j].wall))?;
+        sum += chord(own, &places[j].candidate.station);
+    }
+    let (first, last) = (way[0], *way.last()?);
+    if way.len() < 2 || !leads_down(&p.strokes, post(first), post(last)) {
+        return None;
+    }
+    for (wall, end) in ends.iter().enumerate() {
+        let own = way.iter().rev().copied().find(|&o| places[o].wall == wall)?;
+        sum += chord(own, end);
+    }
+    Some(sum + EVEN * ((length - places[last].along) / p.run - 1.0).powi(2))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn the_weave_is_the_cheapest_of_all(
+        spots in prop::collection::vec((0.05..0.98_f64, any::<bool>(), 0.0..2.0_f64), 3..9),
+        gap in 1.5..5.0_f64,
+    ) {
+        let (height, outer) = (4.0, 9.0);
+        let walls = [circle(outer), circle(outer - gap)];
+        let mut places: Vec<Place> = std::iter::once((0.0, false, 0.0))
+            .chain(spots)
+            .map(|(share, inner, offset)| {
+                let curve = &walls[usize::from(inner)];
+                let s = share * curve.length();
+                let station = curve.station(0.0, s);
+                let peak = station.position().extend(height);
+                let base = peak.with_z(0.0) + DVec3::X * offset;
+                let post = Post { base, peak, s };
+                let candidate = Candidate {
+                    post, station, offset, spacing: 0.0, room: f64::INFINITY, kept: None,
+                };
+                Place { wall: usize::from(inner), along: share * walls[0].length(), candidate }
+            })
+            .collect();
+        places.sort_by(|a, b| a.along.total_cmp(&b.along));
+        let ends = walls.clone().map(|wall| wall.station(0.0, 1.05 * wall.length()));
+        let home = (walls[0].length(), ends);
+        let p = params(height);
+        let widest = 2.2 * p.run;
+        let count = places.len() - 1;
+        let within = |way: &[usize]| {
+            way.windows(2).all(|w| places[w[1]].along - places[w[0]].along <= widest)
+        };
+        let ways = (1_u32..1 << count).map(|chosen| {
+            let picked = (0..count).filter(|i| chosen >> i & 1 == 1).map(|i| i + 1);
+            std::iter::once(0).chain(picked).collect::<Vec<usize>>()
+        });
+        let best = ways
+            .filter(|way| within(way))
+            .filter_map(|way| cost(&places, &way, &home, &p))
+            .min_by(f64::total_cmp);
+        let found = weave(&places, Some(home), &p);
+        // A weave that leaves a wall to one post is none; then there is nothing to compare.
+        if !found.is_empty() && within(&found) {
+            let own = cost(&places, &found, &home, &p);
+            prop_assert!(own.is_some(), "{found:?} breaks a rule");
+            let (own, best) = (own.unwrap(), best.unwrap());
+            prop_assert!(own <= best + 1e-9, "{own} where {best} is to be had");
+        }
+    }
+}
