@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::curve::Curve;
+use crate::geometry::polygon;
 use crate::strand::Kind;
 use crate::stroke::Strokes;
 use crate::wireframe::lay::begin::{going_on, start};
@@ -104,7 +105,7 @@ pub fn woven(
     let one = usize::from(from[0].is_none() && from[1].is_some());
     let other = 1 - one;
     let curve = |i: usize| top.curves[jobs[i].curve].as_ref();
-    let (first, second) = (curve(one)?, curve(other)?);
+    let (first, second) = (curve(one)?, &alongside(curve(other)?, curve(one)?)?);
     let begin = start(journal, first, &rims[one..=one]);
     let beside = second.nearest(first.position(begin)).s;
     let walls = [
@@ -132,15 +133,33 @@ pub fn woven(
         way.iter().map(|&i| Step { post: places[i].candidate.post, linked: true }).collect();
     let stand = zigzag_strokes(journal, &steps, Kind::Post, Kind::Diagonal, cx.p.span_limit);
     Some([0, 1].map(|number| {
-        let Wall { job, begin, .. } = walls[number];
+        let Wall { job, curve, begin, .. } = walls[number];
         let own = stand.iter().filter(|&&i| places[way[i]].wall == number);
         let mut posts: Vec<Post> = own.map(|&i| steps[i].post).collect();
         posts.retain(|post| post.base != post.peak);
-        posts.sort_by(|a, b| a.s.total_cmp(&b.s));
         journal.note_posts(top.slab as u32, top.contour(job.curve) as u32, &posts);
-        let standing = Standing { curve: job.curve, start: begin, posts };
+        // Along the contour as it is, which may run against the weave.
+        let start = top.curves[job.curve].as_ref().map_or(begin, |own| {
+            let start = own.nearest(curve.position(begin)).s;
+            for post in &mut posts {
+                post.s = own.forward(start, own.nearest(post.peak.truncate()).s);
+            }
+            start
+        });
+        posts.sort_by(|a, b| a.s.total_cmp(&b.s));
+        let standing = Standing { curve: job.curve, start, posts };
         (job.curve, (!standing.posts.is_empty()).then_some(standing))
     }))
+}
+
+/// A closed curve that runs round the same way as another one: holes run against what they lie in.
+fn alongside(curve: &Curve, other: &Curve) -> Option<Curve> {
+    let turns = |curve: &Curve| polygon::signed_area(curve.points()) < 0.0;
+    let mut points = curve.points().to_vec();
+    if turns(curve) != turns(other) {
+        points.reverse();
+    }
+    Curve::new(&points, curve.is_closed())
 }
 
 /// The free places of both walls, not yet in order; the first wall's first post goes on `from`.
@@ -169,7 +188,11 @@ fn places(
                 let place = candidate.post.peak.truncate();
                 let (near, at) = first.curve.nearest_from(place, segment);
                 segment = at;
-                first.curve.forward(first.begin, near.s)
+                let along = first.curve.forward(first.begin, near.s);
+                // Rounding may put the beginning a lap on, or the end a lap back.
+                let lap =
+                    (along / first.curve.length() - candidate.post.s / one.curve.length()).round();
+                along - lap * first.curve.length()
             };
             Place { wall, along, candidate }
         }));
