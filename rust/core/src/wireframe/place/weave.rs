@@ -155,7 +155,7 @@ fn uneven(from: &Place, to: &Place, p: &WeaveParams) -> f64 {
 fn closing(places: &[Place], state: &State, (length, ends): &Home, p: &WeaveParams) -> Option<f64> {
     let (first, last) = (&places[0], &places[state.last]);
     let clear = leads_down(&p.strokes, &first.candidate.post, &last.candidate.post);
-    let Some(other) = state.other.filter(|_| clear) else { return None };
+    let other = state.other.filter(|_| clear)?;
     let rest = (length - last.along) / p.run - 1.0;
     let chords = [state.last, other].map(|i| chord(&places[i], &ends[places[i].wall], p));
     Some(EVEN * rest * rest + chords[0] + chords[1])
