@@ -1,0 +1,180 @@
+//! Columns against rays, and what is thinner than a slab against its known sections.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod solids;
+
+use glam::{DVec2, DVec3};
+use solids::{Random, cuboid, inverted, revolved, sphere, together};
+use wireprint_core::contours::Contour;
+use wireprint_core::geometry::polygon::contains;
+use wireprint_core::head::Head;
+use wireprint_core::mesh::Mesh;
+use wireprint_core::slices::heights::HeightParams;
+use wireprint_core::wireframe::params::{Pattern, WireParams};
+use wireprint_core::wireframe::place::zigzag::Placement;
+use wireprint_core::wireframe::plan::columns::{Need, add};
+use wireprint_core::wireframe::plan::sliced::{Sliced, slice_model};
+
+const STRAND: f64 = 0.7;
+
+fn head() -> Head {
+    Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap()
+}
+
+fn sliced(mesh: &Mesh) -> Sliced {
+    let params = HeightParams {
+        slab_min: 1.4,
+        slab_max: 6.0,
+        first_layer: 0.35,
+        strand: STRAND,
+        free_end: 20.0,
+        deviation_target: 0.3,
+        speed: 30.0,
+        pause: 1.0,
+    };
+    slice_model(mesh, &head(), &params).unwrap()
+}
+
+fn wire() -> WireParams {
+    WireParams {
+        strand: STRAND,
+        pattern: Pattern::Zigzag,
+        placement: Placement::Optimal,
+        caps: true,
+        supports: true,
+        cap_spacing: 6.0,
+        span_limit: 65.0,
+        free_end_limit: 20.0,
+    }
+}
+
+/// Height at which a ray down from a point meets the surface; 0, the bed, where it does not.
+fn below(mesh: &Mesh, from: DVec3) -> f64 {
+    let hit = |face: usize| {
+        let [a, b, c] = mesh.corners(face);
+        let normal = (b - a).cross(c - a);
+        let inside = contains(&[a, b, c].map(DVec3::truncate), from.truncate());
+        let z = a.z - (from - a).truncate().dot(normal.truncate()) / normal.z;
+        (inside && z < from.z - 1e-6).then_some(z)
+    };
+    (0..mesh.faces.len()).filter_map(hit).fold(0.0, f64::max)
+}
+
+fn is_column(contour: &Contour, place: DVec2) -> bool {
+    contour.support && contains(&contour.points, place)
+}
+
+fn area(contours: &[Contour]) -> f64 {
+    contours.iter().map(|c| c.area).sum()
+}
+
+/// A closed box with a hollow in it, and a wide roof beside it on a wall.
+fn hall() -> Mesh {
+    let hollow = inverted(&cuboid(DVec3::new(-50.0, -50.0, 12.0), DVec3::new(50.0, 50.0, 40.0)));
+    together(&[
+        cuboid(DVec3::new(-60.0, -60.0, 0.0), DVec3::new(60.0, 60.0, 60.0)),
+        hollow,
+        cuboid(DVec3::new(80.0, -60.0, 0.0), DVec3::new(90.0, 60.0, 20.0)),
+    ])
+}
+
+#[test]
+fn a_column_stands_on_the_first_surface_below_it() {
+    let mesh = hall();
+    let plain = sliced(&mesh);
+    let mut random = Random(7);
+    for _ in 0..60 {
+        let place = DVec2::new(random.between(-35.0, 35.0), random.between(-35.0, 35.0));
+        let level = 2 + random.between(0.0, plain.levels.len() as f64 - 2.0) as usize;
+        let need = Need { level, place, urgent: true };
+        let foot = below(&mesh, place.extend(plain.levels[level].z));
+        let mut propped = plain.clone();
+        add(&mut propped, &[need], &[], &head(), &wire());
+        let stands = |l: &usize| propped.upper[*l].iter().any(|c| is_column(c, place));
+        let lowest = (0..level).find(stands);
+        match lowest {
+            Some(lowest) => {
+                assert!((plain.levels[lowest].z - foot).abs() < 0.7, "{lowest} is not on {foot}");
+                assert!((lowest..level).all(|l| stands(&l)));
+                assert!(propped.lower[level].iter().any(|c| is_column(c, place)));
+                assert!(!propped.upper[level].iter().any(|c| is_column(c, place)));
+            }
+            // What is wanted on a face stands on it already.
+            None => assert!(plain.levels[level].z - foot < 0.7, "no column from {foot}"),
+        }
+    }
+}
+
+#[test]
+fn what_can_do_without_gets_no_column_inside_a_body() {
+    let mesh = hall();
+    let mut propped = sliced(&mesh);
+    let level = propped.levels.len() - 1;
+    let need = Need { level, place: DVec2::ZERO, urgent: false };
+    assert!(!add(&mut propped, &[need], &[], &head(), &wire()));
+    assert!(propped.columns.is_empty());
+}
+
+#[test]
+fn columns_keep_out_of_walls_and_of_each_other() {
+    let mesh = hall();
+    let mut propped = sliced(&mesh);
+    let level = propped.levels.iter().position(|l| (l.z - 40.0).abs() < 0.7).unwrap();
+    let places = [(-49.0, 0.0), (-47.0, 3.0), (0.0, 0.0), (5.0, 0.0), (20.0, 0.0)];
+    let needs = places.map(|p| Need { level, place: DVec2::from(p), urgent: true });
+    assert!(add(&mut propped, &needs, &[], &head(), &wire()));
+    for (i, column) in propped.columns.iter().enumerate() {
+        assert!(column.place.abs().max_element() < 50.0 - 4.0);
+        for other in &propped.columns[..i] {
+            assert!(other.place.distance(column.place) > 8.0);
+        }
+    }
+    for place in places.map(DVec2::from) {
+        assert!(propped.columns.iter().any(|c| c.place.distance(place) < 13.0));
+    }
+}
+
+#[test]
+fn a_later_column_goes_on_from_one_below_it() {
+    let mesh = hall();
+    let mut propped = sliced(&mesh);
+    let level = |z: f64| sliced(&hall()).levels.iter().position(|l| (l.z - z).abs() < 0.7).unwrap();
+    let need = |level: usize| Need { level, place: DVec2::new(70.0, 0.0), urgent: true };
+    let (low, high) = (level(12.0), level(40.0));
+    assert!(add(&mut propped, &[need(low)], &[], &head(), &wire()));
+    assert!(add(&mut propped, &[need(high)], &[], &head(), &wire()));
+    let one = |contours: &[Contour]| contours.iter().filter(|c| c.support).count() == 1;
+    assert!((0..high).all(|l| one(&propped.upper[l])));
+    assert!((1..=high).all(|l| one(&propped.lower[l])));
+}
+
+#[test]
+fn a_thin_plate_under_a_tower_is_a_sheet_on_the_bed() {
+    let tower = revolved(&[(40.0, 0.0), (40.0, 1.0), (10.0, 1.0), (10.0, 30.0)], 48);
+    let sliced = sliced(&tower);
+    let [plate] = &sliced.sheets[0][..] else { panic!("{} sheets", sliced.sheets[0].len()) };
+    assert!(area(&plate.contours) > 4900.0 && area(&sliced.upper[0]) < 320.0);
+    assert_eq!(sliced.first().unwrap().contours.len(), 1);
+}
+
+#[test]
+fn a_thin_shelf_is_a_sheet_wherever_it_is() {
+    for low in [9.0, 17.3, 21.9] {
+        let high = low + 0.6;
+        let profile =
+            [(10.0, 0.0), (10.0, low), (30.0, low), (30.0, high), (10.0, high), (10.0, 40.0)];
+        let sliced = sliced(&revolved(&profile, 48));
+        let sheets: Vec<f64> = sliced.sheets.iter().flatten().map(|s| area(&s.contours)).collect();
+        let slices = sliced.lower.iter().chain(&sliced.upper).map(|slice| area(slice));
+        assert!(sheets.iter().copied().chain(slices).any(|a| a > 2700.0), "{low}: {sheets:?}");
+    }
+}
+
+#[test]
+fn what_no_feature_parts_has_no_sheets() {
+    let ball = solids::moved(&sphere(24), glam::DMat3::IDENTITY * 25.0, DVec3::Z * 25.0);
+    for mesh in [ball, cuboid(DVec3::ZERO, DVec3::splat(28.0))] {
+        assert!(sliced(&mesh).sheets.iter().all(Vec::is_empty));
+    }
+}
