@@ -11,7 +11,7 @@ import pytest
 from command import run
 from wireprint import examples
 from wireprint.certificate import check
-from wireprint.gcode import document
+from wireprint.gcode import own_settings
 from wireprint.mesh import load_mesh
 from wireprint.settings import Settings
 
@@ -173,7 +173,7 @@ def test_every_option_reaches_the_settings_in_the_file(arguments, key, value, cu
     target = tmp_path / "cube.gcode"
     result = run("slice", cube, "-o", target, *arguments)
     assert result.exit_code == 0, result.stderr
-    found = document.settings_in(target.read_bytes())
+    found = own_settings.settings_in(target.read_bytes())
     for part in key.split("."):
         found = getattr(found, part)
     assert found == value
@@ -197,7 +197,7 @@ def test_a_loaded_file_lies_between_profile_and_options(cube, tmp_path):
     result = run("slice", cube, "-o", target, "--load", mine, "--slab-max", "4")
     assert result.exit_code == 0, result.stderr
     expected = Settings.load(overrides=["slab_max_mm=4", "slab_min_mm=1", "gcode.flavor=marlin"])
-    assert document.settings_in(target.read_bytes()) == expected
+    assert own_settings.settings_in(target.read_bytes()) == expected
 
 
 def test_placement_turns_and_scales_the_model(tmp_path):

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from wireprint._core import KINDS, GcodeError, SettingError, Toolpath
-from wireprint.gcode import document
+from wireprint.gcode import document, own_settings
 from wireprint.gcode.flavors import FLAVORS
 from wireprint.settings import Settings
 
@@ -268,17 +268,17 @@ def test_thumbnails_survive_the_way_through_comments(png):
 
 def test_the_settings_can_be_read_back_from_the_file():
     settings = Settings.load(overrides=["head.slant_deg=41", "wire.pause_s=0.3"])
-    assert document.settings_in(whole(settings)) == settings
+    assert own_settings.settings_in(whole(settings)) == settings
 
 
 def test_another_programs_file_has_no_settings():
-    assert document.settings_in(b"G1 X1\n; nozzle_diameter = 0.4\n") is None
+    assert own_settings.settings_in(b"G1 X1\n; nozzle_diameter = 0.4\n") is None
 
 
 def test_damaged_settings_are_refused():
     text = whole(Settings.load()).replace(b"slant_deg = 32.0", b"slant_deg = steep")
     with pytest.raises(GcodeError, match="damaged"):
-        document.settings_in(text)
+        own_settings.settings_in(text)
 
 
 def test_the_date_is_the_models_unless_the_environment_gives_one(tmp_path, monkeypatch):

@@ -12,7 +12,7 @@ import pytest
 
 from command import run
 from wireprint import Settings, examples, load_mesh, write_project
-from wireprint.gcode import document, sequence
+from wireprint.gcode import document, own_settings, sequence
 from wireprint.regions import Region
 from wireprint.text import one_line
 
@@ -156,7 +156,7 @@ def test_settings_in_another_encoding_are_refused_by_line_and_a_mark_is_passed_o
     refused(run("slice", cube, "--load", toml, "-o", target), 4, f"{toml}:2: not UTF-8")
     toml.write_bytes("\ufeff[wire]\npause_s = 1\n".encode())
     assert run("slice", cube, "--load", toml, "-o", target, "-q").exit_code == 0
-    assert document.settings_in(target.read_bytes()).wire.pause_s == 1
+    assert own_settings.settings_in(target.read_bytes()).wire.pause_s == 1
 
 
 @pytest.mark.parametrize(

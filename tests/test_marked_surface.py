@@ -16,14 +16,14 @@ from command import run
 from test_regions import region_of, shapes
 from test_view import hue_share
 from test_view_html import data_of, decoded
-from wireprint import view
+from wireprint import view, view_styles
 from wireprint._core import Mesh
 from wireprint.model import Model
 from wireprint.regions import Box, Region, Sphere, ZRange
 from wireprint.regions.surface import marked_surface
 from wireprint.view_html import STEPS
 
-LAYERS = view.STYLES["layer-wise"].colour
+LAYERS = view_styles.STYLES["layer-wise"].colour
 
 
 def mesh_of(solid):
@@ -82,7 +82,7 @@ def test_a_picture_shows_what_is_marked_in_the_colour_of_layers():
         pixels = np.asarray(image.convert("RGBA"), np.int64)
     assert hue_share(pixels[60:100], LAYERS) > 0.1
     assert hue_share(pixels[:45], LAYERS) == hue_share(pixels[115:], LAYERS) == 0
-    assert hue_share(pixels, view.MODEL) > 0.1
+    assert hue_share(pixels, view_styles.MODEL) > 0.1
 
 
 def test_a_page_shows_what_is_marked_with_a_line_of_the_legend_each():

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from wireprint import check, compare, examples, load_mesh, make
-from wireprint.gcode import document
+from wireprint.gcode import own_settings
 from wireprint.gcode.flavors import FLAVORS
 from wireprint.settings import Settings
 
@@ -172,4 +172,4 @@ def test_every_flavours_print_is_certified_from_its_text(cube):
     for flavor in FLAVORS:
         made = make(cube, settings_for(flavor), certify=False)
         assert check(made.gcode).ok
-        assert document.settings_in(made.gcode) == made.settings
+        assert own_settings.settings_in(made.gcode) == made.settings

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from command import run
-from wireprint import examples, view
+from wireprint import examples, view, view_styles
 from wireprint._core import GcodeError, Scene, SettingError, Strands
 from wireprint.gcode.document import moves
 from wireprint.mesh import load_mesh
@@ -56,17 +56,17 @@ def hue_share(image, colour):
     return float(((aligned > 0.97) & (strength > 12)).mean())
 
 
-@pytest.mark.parametrize("label", sorted(view.STYLES))
+@pytest.mark.parametrize("label", sorted(view_styles.STYLES))
 def test_every_label_is_drawn_in_its_own_colour(label):
     strands = Strands.from_gcode(gcode(label.upper()))
-    style = view.STYLES[label]
+    style = view_styles.STYLES[label]
     assert hue_share(picture(strands, kinds=[label]), style.colour) > SEEN
 
 
 def test_kinds_of_a_wire_print_have_colours_that_differ():
     wire = ["contour", "post", "diagonal", "cap", "layer-wise", "support"]
-    colours = [view.STYLES[label].colour for label in wire]
-    colours += [view.TRAVEL, view.FOREIGN, view.BREACH]
+    colours = [view_styles.STYLES[label].colour for label in wire]
+    colours += [view_styles.TRAVEL, view_styles.FOREIGN, view_styles.BREACH]
     for i, a in enumerate(colours):
         for b in colours[:i]:
             assert np.linalg.norm(np.subtract(a, b)) > 60, (a, b)
@@ -76,28 +76,28 @@ def test_labels_of_other_programs_are_shown_in_a_neutral_colour():
     strands = Strands.from_gcode(gcode("WALL-OUTER", "External perimeter"))
     assert strands.labels[1:] == ["wall-outer", "external perimeter"]
     image = picture(strands)
-    assert hue_share(image, view.FOREIGN) > 2 * SEEN
-    assert view.FOREIGN not in {style.colour for style in view.STYLES.values()}
+    assert hue_share(image, view_styles.FOREIGN) > 2 * SEEN
+    assert view_styles.FOREIGN not in {style.colour for style in view_styles.STYLES.values()}
 
 
 def test_only_the_kinds_asked_for_are_shown():
     strands = Strands.from_gcode(gcode("CONTOUR", "POST"))
     image = picture(strands, kinds=["Post"])
-    assert hue_share(image, view.STYLES["post"].colour) > SEEN
-    assert hue_share(image, view.STYLES["contour"].colour) == 0.0
+    assert hue_share(image, view_styles.STYLES["post"].colour) > SEEN
+    assert hue_share(image, view_styles.STYLES["contour"].colour) == 0.0
 
 
 def test_a_kind_that_is_neither_known_nor_in_the_file_is_refused_with_what_there_is():
     strands = Strands.from_gcode(gcode("CONTOUR", "WALL-OUTER"))
     with pytest.raises(SettingError, match=r"foam is unknown; the file has contour.*wall"):
-        view.palette(strands, ["contour", "foam"])
-    assert view.palette(strands, ["cap"]) == [None] * 3
+        view_styles.palette(strands, ["contour", "foam"])
+    assert view_styles.palette(strands, ["cap"]) == [None] * 3
 
 
 def test_the_start_code_is_left_out_unless_asked_for():
     strands = Strands.from_gcode(gcode("PRIME", "CONTOUR"))
-    assert hue_share(picture(strands), view.STYLES["prime"].colour) == 0.0
-    assert hue_share(picture(strands, kinds=["priming"]), view.STYLES["prime"].colour) > SEEN
+    assert hue_share(picture(strands), view_styles.STYLES["prime"].colour) == 0.0
+    assert hue_share(picture(strands, kinds=["priming"]), view_styles.STYLES["prime"].colour) > SEEN
 
 
 def test_travels_are_drawn_only_where_asked_for():
@@ -112,8 +112,8 @@ def test_breaches_are_red_and_seen_through_everything():
     strands = Strands.from_gcode(gcode("CONTOUR"))
     behind = [(20.0, 30.0, 5.0)]
     image = picture(strands, breaches=behind)
-    assert hue_share(image, view.BREACH) > 0.001
-    assert hue_share(picture(strands), view.BREACH) == 0.0
+    assert hue_share(image, view_styles.BREACH) > 0.001
+    assert hue_share(picture(strands), view_styles.BREACH) == 0.0
 
 
 def test_a_strand_is_as_thick_as_its_filament_makes_it():
@@ -157,7 +157,7 @@ def test_a_model_is_drawn_as_shaded_triangles(tmp_path):
     path = tmp_path / "cube.stl"
     path.write_bytes(examples.stl("cube"))
     image = picture(load_mesh(path), camera="iso")
-    assert hue_share(image, view.MODEL) > 0.1
+    assert hue_share(image, view_styles.MODEL) > 0.1
     shades = {tuple(c) for c in image[..., :3].reshape(-1, 3)}
     assert len(shades) > 3
     edged = picture(load_mesh(path), camera="iso", edges=True)
@@ -179,7 +179,7 @@ def test_a_camera_may_be_two_angles():
 
 def test_the_legend_names_what_is_shown_in_the_order_of_the_pipeline():
     strands = Strands.from_gcode(gcode("SKIN", "POST", "CONTOUR"))
-    entries = view.legend(strands, view.palette(strands))
+    entries = view_styles.legend(strands, view_styles.palette(strands))
     assert [entry.name for entry in entries] == ["contour", "post", "skin"]
     assert entries[0].amount == "0.04 m"
     assert view.size_text(strands) == "40.0 x 0.0 x 20.0 mm"
@@ -211,9 +211,13 @@ def test_the_scale_bar_is_true():
     # From the front there is no perspective: 40 mm of strand between the ends of its row.
     strands = Strands.from_gcode(gcode("CONTOUR"))
     scene = Scene()
-    scene.add_strands(strands, view.palette(strands))
+    scene.add_strands(strands, view_styles.palette(strands))
     _, px_per_mm = scene.render(
-        (400, 100), view.CAMERAS["front"], supersample=1, margins=(20,) * 4, ground=view.WHITE
+        (400, 100),
+        view.CAMERAS["front"],
+        supersample=1,
+        margins=(20,) * 4,
+        ground=view_styles.WHITE,
     )
     assert px_per_mm == pytest.approx(360 / 40)
 
@@ -227,7 +231,7 @@ def test_thumbnails_have_the_sizes_asked_for_and_a_transparent_ground():
         assert image.shape == (height, width, 4)
         assert 0 < (image[..., 3] > 0).mean() < 1
         assert len(np.unique(image.reshape(-1, 4), axis=0)) <= 64
-    assert hue_share(pixels(made[1][2]), view.STYLES["contour"].colour) > SEEN
+    assert hue_share(pixels(made[1][2]), view_styles.STYLES["contour"].colour) > SEEN
 
 
 def test_thumbnails_show_the_object_without_its_skirt():
@@ -314,5 +318,5 @@ def test_a_toolpath_is_drawn_as_its_g_code_will_be(tmp_path):
         return [strands.labels[i] for i in strands.features]
 
     assert named(before) == named(after)
-    ours = {view.style_of(label) for label in named(after)}
-    assert ours <= set(view.STYLES.values())
+    ours = {view_styles.style_of(label) for label in named(after)}
+    assert ours <= set(view_styles.STYLES.values())

@@ -309,7 +309,7 @@ def check(
 
 def settings_for(text: bytes, printer: str | Settings | None) -> Settings:
     """Return the settings to judge a text by: those given, those in the text, or the default."""
-    from wireprint.gcode.document import settings_in
+    from wireprint.gcode.own_settings import settings_in
 
     if printer is not None and not isinstance(printer, str):
         return printer

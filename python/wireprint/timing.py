@@ -258,7 +258,7 @@ class Choice:
         """
         if self.limits is not None and self.printer is not None:
             raise SettingError("limits and printer exclude each other")
-        from wireprint.gcode.document import settings_in
+        from wireprint.gcode.own_settings import settings_in
 
         own = settings_in(text) if self.material is None or self._limits is None else None
         return self._chosen if own is None else self._machine(own)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from wireprint.view import Entry
+from wireprint.view_styles import Entry
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Mesh, Strands
-    from wireprint.view import Rgb
     from wireprint.view_marks import Group
+    from wireprint.view_styles import Rgb
 
 #: Coordinates are sent as this many steps over the longest extent: 3 µm on 200 mm.
 STEPS: Final = 65535

@@ -11,7 +11,7 @@ from PIL import Image, ImageDraw, ImageFont
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from wireprint.view import Entry
+    from wireprint.view_styles import Entry
 
 INK: Final = (38, 44, 52)
 FAINT: Final = (112, 120, 130)

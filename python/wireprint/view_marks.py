@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from wireprint.regions.surface import marked_surface
-from wireprint.view import MODEL, STYLES, Entry
+from wireprint.view_styles import MODEL, STYLES, Entry
 
 if TYPE_CHECKING:
     import numpy as np

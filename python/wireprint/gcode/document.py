@@ -8,29 +8,26 @@ form this is, so that it finds thumbnails and figures.
 from __future__ import annotations
 
 import base64
-import json
 import os
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from wireprint import limits
 from wireprint._core import (
-    GcodeError,
     SettingError,
     __version__,
     estimate,
     format_moves,
     insert_progress,
 )
-from wireprint.gcode import sequence
+from wireprint.gcode import own_settings, sequence
 from wireprint.gcode.flavors import FLAVORS, LAYER
 from wireprint.text import one_line
 from wireprint.timing import Filament
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
+    from collections.abc import Iterable, Mapping
     from pathlib import Path
 
     from wireprint._core import Estimate, Toolpath
@@ -38,8 +35,6 @@ if TYPE_CHECKING:
 
 _THUMBNAIL_COLUMNS = 78
 _PARK_MM = 10.0
-_SETTINGS_BEGIN = "; wireprint_settings = begin"
-_SETTINGS_END = "; wireprint_settings = end"
 
 
 @dataclass(frozen=True)
@@ -197,43 +192,8 @@ def footer(settings: Settings, filament_mm: float, print_time_s: float, layers: 
         "bed_temperature": f"{material.bed_c}",
     }
     lines = [f"; {key} = {value}" for key, value in entries.items()]
-    lines += [_SETTINGS_BEGIN, _settings_block(settings), _SETTINGS_END]
+    lines.append(own_settings.block(settings))
     return ("\n" + "\n".join(lines) + "\n").encode()
-
-
-def settings_in(text: bytes) -> Settings | None:
-    """Return the settings that a file of wireprint was made with; None in any other file.
-
-    Raises
-    ------
-    GcodeError
-        The block of settings is damaged, or another version wrote it; it names the line.
-    """
-    begin, end = text.rfind(_SETTINGS_BEGIN.encode()), text.rfind(_SETTINGS_END.encode())
-    if not 0 <= begin < end:
-        return None
-    from wireprint.settings import Settings
-
-    values: dict[str, Any] = {}
-    number = text.count(b"\n", 0, begin) + 1
-    way_out = "name what it was made for by --printer, for an estimate also by --material"
-    try:
-        for line in text[begin:end].decode().split("\n")[1:-1]:
-            number += 1
-            key, _, value = line.removeprefix("; ").partition(" = ")
-            *groups, name = key.split(".")
-            table = values
-            for group in groups:
-                table = table.setdefault(group, {})
-            table[name] = json.loads(value)
-    except (ValueError, AttributeError, TypeError, RecursionError):
-        msg = f"line {number}: the settings that the file was made with are damaged; {way_out}"
-        raise GcodeError(msg) from None
-    try:
-        return Settings.from_mapping(values)
-    except SettingError as error:
-        msg = f"the settings that the file was made with do not fit: {error}; {way_out}"
-        raise GcodeError(msg) from None
 
 
 def duration(seconds: float) -> str:
@@ -288,19 +248,3 @@ def _bed_limits(settings: Settings) -> tuple[str, str]:
             gentle += limit.format(axis=axis, accel=settings.wire.bed_accel_mm_s2)
             usual += limit.format(axis=axis, accel=accel)
     return gentle, usual
-
-
-@lru_cache(maxsize=8)
-def _settings_block(settings: Settings) -> str:
-    """Write all settings, a line each; files that are made together mostly share theirs."""
-    return "\n".join(_settings_lines(settings.model_dump()))
-
-
-def _settings_lines(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
-    for name, value in values.items():
-        if isinstance(value, dict):
-            yield from _settings_lines(value, f"{prefix}{name}.")
-        else:
-            # Most are numbers, all finite, which need no encoder.
-            text = repr(value) if type(value) in (int, float) else json.dumps(value)
-            yield f"; {prefix}{name} = {text}"
