@@ -26,6 +26,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     ),
     "info": ("wireprint.cli.info", "info", "Tell size, surface, marks and faults of a model."),
     "profiles": ("wireprint.cli.profiles", "profiles", "List the profiles, or show one."),
+    "config": (
+        "wireprint.cli.config",
+        "config",
+        "Show or keep the default printer and material.",
+    ),
     "check": ("wireprint.cli.check", "check", "Judge whether a G-code file can be printed."),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
     "compare": (

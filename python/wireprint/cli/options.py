@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from wireprint.cli.defaults import BUILT_IN, default
 from wireprint.cli.paths import InputFile
 
 if TYPE_CHECKING:
@@ -18,9 +19,6 @@ if TYPE_CHECKING:
 
 Command = TypeVar("Command", bound="Callable[..., object]")
 
-#: Profiles that are used unless others are named.
-PRINTER = "kossel-mini"
-MATERIAL = "abs"
 #: Options that stand for one key of the settings: name → (key, choices or type, help).
 _KEYS: dict[str, tuple[str, Any, str]] = {
     "flavor": (
@@ -63,13 +61,13 @@ def settings_options(command: Command) -> Command:
     options = [
         click.option(
             "--printer",
-            show_default=PRINTER,
+            show_default=BUILT_IN["printer"],
             metavar="NAME|FILE",
             help="Printer's profile.",
         ),
         click.option(
             "--material",
-            show_default=MATERIAL,
+            show_default=BUILT_IN["material"],
             metavar="NAME|FILE",
             help="Material's profile.",
         ),
@@ -132,7 +130,8 @@ class Chosen:
         return self.settings() if model.settings is None else self.over(model.settings)
 
     def _all(self) -> tuple[str, str, tuple[Path, ...], tuple[str, ...]]:
-        printer, material = self.printer or PRINTER, self.material or MATERIAL
+        printer = self.printer or default("printer")[0]
+        material = self.material or default("material")[0]
         return printer, material, self.load, self.overrides
 
     def over(self, settings: Settings) -> Settings:

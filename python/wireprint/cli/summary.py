@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 def lines(figures: Mapping[str, Any]) -> list[str]:
     """Return what ``wireprint slice`` prints about one model."""
-    return [f"{figures['output']}: {clock(figures['print_time_s'])}", *_rows(figures)]
+    machine = f"{figures['printer']} with {figures['material']}"
+    return [f"{figures['output']}: {clock(figures['print_time_s'])} on {machine}", *_rows(figures)]
 
 
 def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
