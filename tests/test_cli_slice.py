@@ -287,3 +287,24 @@ def test_the_fast_path_imports_no_numpy(cube, tmp_path):
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.stderr.strip() == "[]"
+
+
+@pytest.mark.parametrize(
+    ("scale", "asks"),
+    [(1 / 25.4, "--units inch"), (0.1, "--units cm"), (1, "")],
+)
+def test_a_model_in_another_unit_is_noticed(scale, asks, cube, tmp_path):
+    mesh = load_mesh(cube)
+    model = tmp_path / "small.obj"
+    vertices = "".join(f"v {x} {y} {z}\n" for x, y, z in mesh.vertices * scale)
+    faces = "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in mesh.faces)
+    model.write_text(vertices + faces)
+    done = run("info", model)
+    assert done.exit_code == 0, done.stderr
+    assert ("is that its unit" in done.stdout) is bool(asks)
+    assert asks in done.stdout
+    sliced = run("slice", model, "-o", tmp_path / "a.gcode")
+    assert asks in sliced.output
+    if asks:
+        unit = asks.split()[1]
+        assert "is that its unit" not in run("info", model, "--units", unit).stdout

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING, Final, TypedDict
+from typing import TYPE_CHECKING, Any, Final, TypedDict
+
+from wireprint.mesh import UNITS_MM
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -14,6 +16,13 @@ if TYPE_CHECKING:
     from wireprint.hybrid.runs import Section
     from wireprint.regions import Region
     from wireprint.settings import Settings
+
+#: Models up to this size are mostly not meant in mm …
+_SMALL_MM: Final = 10.0
+#: … but in a unit in which they have a size like this.
+_USUAL_MM: Final = (20.0, 500.0)
+#: Options of placing that leave a model as large as its file says, in mm.
+_AS_IN_THE_FILE: Final = {"units": "mm", "scale": 1.0, "height_mm": None}
 
 #: Counts of a mesh's report that are repairs, and how they read.
 _REPAIRS: Final = {
@@ -141,6 +150,33 @@ def repairs(mesh: Mesh) -> list[str]:
 def warnings(mesh: Mesh) -> list[str]:
     """Sentences about how a mesh was read, and about its faults that stay."""
     return [*mesh.notes, *_sentences(mesh.report, _WARNINGS)]
+
+
+def units_meant(size_mm: tuple[float, float, float], placement: Mapping[str, Any]) -> list[str]:
+    """Ask for the unit of a model that is too small to be meant in mm; empty for any other.
+
+    Parameters
+    ----------
+    size_mm
+        Its extent along x, y, z.
+    placement
+        How it was placed: what `wireprint.mesh.load_mesh` takes. Whoever says how large the model
+        is has thought of its unit.
+    """
+    longest_mm = max(size_mm)
+    said = any(placement.get(name, usual) != usual for name, usual in _AS_IN_THE_FILE.items())
+    if said or longest_mm >= _SMALL_MM:
+        return []
+    low_mm, high_mm = _USUAL_MM
+    units = [
+        name
+        for name, unit_mm in UNITS_MM.items()
+        if unit_mm > 1 and low_mm <= longest_mm * unit_mm <= high_mm
+    ]
+    if not units:
+        return []
+    ways_out = " or ".join(f"--units {name}" for name in units)
+    return [f"it measures {longest_mm:.3g} mm at most; is that its unit? Try {ways_out}"]
 
 
 def slowed(settings: Settings) -> list[str]:

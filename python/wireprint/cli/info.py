@@ -46,6 +46,8 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
 
         turned = best(mesh, settings)
         mesh = turned.mesh
+    x, y, z = loaded.mesh.size_mm
+    warnings = [*report.warnings(mesh), *report.units_meant((x, y, z), options)]
     found = {
         "model": str(model),
         "size_mm": mesh.size_mm,
@@ -53,7 +55,7 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
         "volume_mm3": mesh.volume,
         "closed": mesh.report["boundary_edges"] == 0,
         "repaired": report.repairs(mesh),
-        "warnings": report.warnings(mesh),
+        "warnings": warnings,
         "counts": mesh.report,
         "marks": marked,
         "orientation": None if turned is None else turned.to_dict(),
@@ -71,7 +73,7 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
         say(f"  marked     {_marked(marked)}")
     for sentence in report.repairs(mesh):
         say(f"  repaired   {sentence}")
-    for sentence in report.warnings(mesh):
+    for sentence in warnings:
         say(f"  note       {sentence}")
     if turned is not None:
         for line in _poses(turned):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from wireprint._core import UnprintableError
+from wireprint._core import ModelError, UnprintableError
 from wireprint.streams import is_stream
 
 if TYPE_CHECKING:
@@ -56,12 +56,14 @@ class Job:
         """Turn one model into G-code."""
         from wireprint.gcode.document import dated
         from wireprint.pipeline import Clock, make
-        from wireprint.report import breaches
+        from wireprint.report import breaches, units_meant
         from wireprint.wholeness import IncompleteError, is_whole, shortfall
 
         clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
         with clock.stage("load"):
             mesh, settings, region = self._loaded(model)
+        x, y, z = mesh.size_mm
+        warnings = units_meant((x, y, z), self.placement)
         try:
             made = make(
                 mesh,
@@ -76,7 +78,8 @@ class Job:
         except IncompleteError as error:
             forced = "\n--force writes it all the same" if error.usable else ""
             raise UnprintableError(f"{model}: {error}{forced}") from error
-        warnings = []
+        except ModelError as error:
+            raise ModelError("; ".join([f"{model}: {error}", *warnings])) from error
         if made.certificate is not None and not made.certificate.ok:
             reason = breaches(made.certificate, settings)
             if not self.force:
