@@ -1,6 +1,7 @@
 """The command line: help, errors, exit codes."""
 
 import importlib
+import json
 import os
 import subprocess
 import sys
@@ -112,3 +113,33 @@ def test_shell_completion_is_offered(shell):
     )
     assert done.returncode == 0
     assert "_WIREPRINT_COMPLETE" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "offered"),
+    [
+        ("slice a.stl --printer vor", "voron-2.4"),
+        ("slice a.stl --material pe", "petg"),
+        ("slice a.stl --set head.sl", "head.slant_deg="),
+        ("profiles kos", "kossel-mini"),
+    ],
+)
+def test_shells_are_offered_profiles_and_keys_of_settings(words, offered):
+    done = subprocess.run(
+        [sys.executable, "-m", "wireprint"],
+        env=os.environ
+        | {"_WIREPRINT_COMPLETE": "bash_complete", "COMP_WORDS": f"wireprint {words}"}
+        | {"COMP_CWORD": str(len(words.split()))},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert f"plain,{offered}" in done.stdout.splitlines(), done
+
+
+def test_a_failure_is_json_too_where_json_is_asked_for(tmp_path):
+    for words in (["slice", "none.stl", "-o", "a.gcode"], ["check", "none.gcode"]):
+        done = run(*words, "--json")
+        found = json.loads(done.stdout)
+        assert found["exit_code"] == done.exit_code == 3
+        assert found["error"] in done.stderr

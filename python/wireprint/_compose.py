@@ -130,6 +130,11 @@ def _anchor(model: type[BaseModel], key: Key, place: str) -> Key:
     raise SettingError(msg)
 
 
+def keys(model: type[BaseModel]) -> list[str]:
+    """Return every key as a user writes it."""
+    return [_dotted(model, path) for path in _leaves(model)]
+
+
 def _leaves(model: type[BaseModel], prefix: Key = ()) -> list[Key]:
     keys: list[Key] = []
     for name, field in model.model_fields.items():

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from wireprint.cli import completion
 from wireprint.cli.defaults import BUILT_IN, default
 from wireprint.cli.paths import InputFile
 
@@ -61,12 +62,14 @@ def settings_options(command: Command) -> Command:
     options = [
         click.option(
             "--printer",
+            shell_complete=completion.printers,
             show_default=BUILT_IN["printer"],
             metavar="NAME|FILE",
             help="Printer's profile.",
         ),
         click.option(
             "--material",
+            shell_complete=completion.materials,
             show_default=BUILT_IN["material"],
             metavar="NAME|FILE",
             help="Material's profile.",
@@ -81,6 +84,7 @@ def settings_options(command: Command) -> Command:
         click.option(
             "--set",
             "overrides",
+            shell_complete=completion.settings,
             multiple=True,
             metavar="KEY=VALUE",
             help="A single setting, such as head.slant_deg=40; may be repeated.",

@@ -6,11 +6,12 @@ import click
 
 from wireprint import catalogue
 from wireprint._core import SettingError
+from wireprint.cli import completion
 from wireprint.cli.say import say, say_all
 
 
 @click.command()
-@click.argument("name", required=False)
+@click.argument("name", required=False, shell_complete=completion.profiles)
 def profiles(name: str | None) -> None:
     """List the profiles, or show one.
 
