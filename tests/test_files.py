@@ -202,7 +202,7 @@ def test_stdin_and_stdout_take_the_place_of_files(gcode, model):
         ("cat cube.stl | $W view - --format stl -o -", b"\x89PNG"),
         ("cat cube.gcode | $W check - --picture -", b"\x89PNG"),
         ("cat cube.gcode | $W check -", b"/dev/stdin: printable"),
-        ("cat cube.gcode | $W estimate -", b"/dev/stdin: 2:0"),
+        ("cat cube.gcode | $W estimate -", b"/dev/stdin: "),
         ("cat cube.stl | $W info - --format stl", b"/dev/stdin\n  size"),
         ("cat cube.stl | $W compare - --format stl --condition wireprint -o -", b"\x89PNG"),
         ("cat cube.stl | $W project - --format stl -o -", b"PK"),
