@@ -10,7 +10,18 @@ from wireprint.bench import figures
 from wireprint.pipeline import make
 from wireprint.timing import clock
 
-BREACHES = ("collisions", "floating_starts", "dangling_ends", "spans_over", "out_of_bounds")
+BREACHES = (
+    "collisions",
+    "floating_starts",
+    "dangling_ends",
+    "spans_over",
+    "out_of_bounds",
+    "underfed",
+    "hurried",
+    "cold",
+    "unhomed",
+    "unjudged",
+)
 COLUMNS = {
     "model": lambda row: row["model"],
     "breaches": lambda row: str(breaches(row)),

@@ -6,8 +6,8 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use wireprint_core::check::{Bed, Limits, Rules, certify};
-use wireprint_core::gcode::machine::Step;
+use wireprint_core::check::{Bed, Limits, Rules, Settling, certify};
+use wireprint_core::gcode::event::Step;
 use wireprint_core::head::Head;
 
 fn rules() -> Rules {
@@ -19,6 +19,8 @@ fn rules() -> Rules {
         free_end_limit: 20.0,
         bed: Bed { centre: DVec2::ZERO, half: dvec2(85.0, 85.0), round: true, height: 1e9 },
         limits: Limits { feed: 200.0, flow: 15.0, filament_only: 50.0, filament_area: 2.405 },
+        settling: Settling { dwell: 0.0, slow: 0.0 },
+        coldest: 170.0,
     }
 }
 
@@ -31,7 +33,16 @@ impl Pen {
     fn draw(&mut self, to: DVec3) {
         let (line, from) = (self.moves.len() as u64 + 1, self.at);
         let filament = 0.16 * from.distance(to);
-        self.moves.push(Step { line, from, to, filament, speed: 30.0, rapid: false, feature: 0 });
+        self.moves.push(Step {
+            line,
+            from,
+            to,
+            filament,
+            speed: 30.0,
+            rapid: false,
+            homing: false,
+            feature: 0,
+        });
         self.at = to;
     }
 }

@@ -15,8 +15,9 @@ import wireprint
 from command import run
 from wireprint import GcodeError, Settings
 from wireprint._core import Mesh, coverage, deviation
-from wireprint.certificate import check, settings_for, terms_of
+from wireprint.certificate import check
 from wireprint.mesh import load_mesh
+from wireprint.rules import settings_for, terms_of
 
 FIRST = 0.35
 SLAB = 4.0

@@ -11,7 +11,7 @@ from wireprint._core import SettingError
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from wireprint.settings import Motion, Printer
+    from wireprint.settings import Extruder, Motion, Printer
 
 Firmware = Literal["klipper", "marlin", "marlin-jerk"]
 FIRMWARES: Final[tuple[Firmware, ...]] = get_args(Firmware)
@@ -40,6 +40,14 @@ class MarlinTable(TypedDict):
     steps_per_mm: _PerAxis
 
 
+class RetractionTable(TypedDict):
+    """What G10 and G11 do until a file says otherwise (mm, mm/s)."""
+
+    length_mm: float
+    speed_mm_s: float
+    recover_speed_mm_s: float
+
+
 class MotionTable(TypedDict):
     """Every limit (mm, mm/s, mm/s²), none left open but a delta's geometry."""
 
@@ -58,12 +66,14 @@ class MotionTable(TypedDict):
     arm_length: float | None
     step_distance: float | None
     endstop_height: float | None
+    #: None: the firmware's own defaults.
+    retraction: RetractionTable | None
     marlin: MarlinTable
 
 
 def of_printer(printer: Printer) -> MotionTable:
     """Limits of a printer's profile."""
-    return _resolved(printer.motion, printer.kinematics)
+    return _resolved(printer.motion, printer.kinematics, retraction_of(printer.extruder))
 
 
 def of_mapping(table: Mapping[str, Any]) -> MotionTable:
@@ -82,7 +92,7 @@ def of_mapping(table: Mapping[str, Any]) -> MotionTable:
     if kinematics not in KINEMATICS:
         msg = f"kinematics is {kinematics!r}; it must be one of {', '.join(KINEMATICS)}"
         raise SettingError(msg)
-    return _resolved(_compose.validate(Motion, values, {}), kinematics)
+    return _resolved(_compose.validate(Motion, values, {}), kinematics, None)
 
 
 def of_file(where: str) -> MotionTable:
@@ -119,7 +129,16 @@ def firmware_of(printer: Printer) -> Firmware:
     return "marlin-jerk" if marlin is not None and marlin.jerk is not None else "marlin"
 
 
-def _resolved(motion: Motion, kinematics: str) -> MotionTable:
+def retraction_of(extruder: Extruder) -> RetractionTable:
+    """Return what a printer's firmware is to do at G10 and G11: what its profile has us do."""
+    return {
+        "length_mm": extruder.retract_mm,
+        "speed_mm_s": extruder.retract_speed_mm_s,
+        "recover_speed_mm_s": extruder.unretract_speed_mm_s,
+    }
+
+
+def _resolved(motion: Motion, kinematics: str, retraction: RetractionTable | None) -> MotionTable:
     return {
         "kinematics": kinematics,
         "max_velocity": motion.max_velocity,
@@ -136,6 +155,7 @@ def _resolved(motion: Motion, kinematics: str) -> MotionTable:
         "arm_length": motion.arm_length,
         "step_distance": motion.step_distance,
         "endstop_height": motion.endstop_height,
+        "retraction": retraction,
         "marlin": _marlin(motion),
     }
 

@@ -28,6 +28,8 @@ Speed = Annotated[float, Field(ge=0.1, le=5000, description="mm/s")]
 Accel = Annotated[float, Field(ge=1, le=1e6, description="mm/s²")]
 CornerSpeed = Annotated[float, Field(ge=0, le=1000, description="mm/s")]
 Length = Annotated[float, Field(ge=1e-4, le=5000, description="mm")]
+#: A coordinate, mm: ends of axes may lie beside the bed.
+Place = Annotated[float, Field(ge=-5000, le=5000)]
 StepsPerMm = Annotated[float, Field(ge=0.01, le=1e5)]
 LayerHeight = Annotated[float, Field(ge=0.02, le=2)]
 PrintSpeed = Annotated[float, Field(ge=0.1, le=1000)]
@@ -181,6 +183,22 @@ class Motion(Section):
     marlin: Marlin | None = Field(None, description="the same for Marlin and its relatives")
 
 
+class Homing(Section):
+    """What G28 does on a machine with an axis each for x, y and z; a delta climbs to its ends."""
+
+    x_mm: Place | None = Field(None, description="where x is home; None: the bed's low edge")
+    y_mm: Place | None = Field(None, description="where y is home; None: the bed's low edge")
+    z_end: Literal["bed", "top"] = Field(
+        "bed", description="bed: x, y, then z down to the bed; top: z first, up to bed.height_mm"
+    )
+    lift_mm: float = Field(
+        0.0, ge=0, le=500, description="z is raised to this height before x and y are homed"
+    )
+    z_place_mm: tuple[Place, Place] | None = Field(
+        None, description="x and y where z is homed; None: wherever the head is"
+    )
+
+
 class Extruder(Section):
     """What feeds the filament."""
 
@@ -232,6 +250,13 @@ class Cooling(Section):
     air_mm_s: AirSpeed = Field(default_factory=AirSpeed)
 
 
+class Macro(Section):
+    """What a macro of the printer's configuration does, as the certificate judges it."""
+
+    name: str = Field(pattern=r"^[A-Za-z_]{2}\w*$", max_length=100)
+    gcode: str = Field(max_length=4000, description="its moves as G-code; it calls no macros")
+
+
 class Gcode(Section):
     """The dialect, and what comes before and after the print."""
 
@@ -249,6 +274,9 @@ class Gcode(Section):
     )
     start: str = Field(description="heats and homes; may use {nozzle_c}, {bed_c}")
     end: str = Field(description="cools and parks; may use {park_z_mm}, 10 mm above the print")
+    macros: tuple[Macro, ...] = Field(
+        (), max_length=50, description="macros that files use; others are not judged in a print"
+    )
 
     @field_validator("start")
     @classmethod
@@ -267,10 +295,14 @@ class Printer(Section):
     """A machine: ``profiles/printers/*.toml``."""
 
     name: Name
+    known_as: tuple[str, ...] = Field(
+        (), max_length=50, description="what slicers call it in the files that they write"
+    )
     kinematics: Literal["delta", "cartesian", "corexy"]
     bed: Bed
     head: Head
     motion: Motion
+    homing: Homing = Field(default_factory=Homing)
     extruder: Extruder
     speeds: Speeds
     cooling: Cooling

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import _core
 from wireprint import limits as motion_limits
 from wireprint._core import GcodeError, SettingError
+from wireprint.gcode.origin import stated_time_s
+from wireprint.gcode.source import TEXT, kind_of, read
 from wireprint.naming import named
 
 if TYPE_CHECKING:
@@ -23,8 +26,12 @@ if TYPE_CHECKING:
     from wireprint.settings import Settings
 
 
-#: More than the settings at a file's end take.
-_TAIL_BYTES: Final = 1 << 16
+#: More than the settings at a file's end take, and what other programs say at its beginning.
+_END_BYTES: Final = 1 << 16
+#: What is said of files whose E runs backwards.
+RELATIVE_ASSUMED: Final = (
+    "E runs backwards and the file does not say how it counts (M82, M83): taken as relative"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +44,8 @@ class Allowances:
     nozzle_heating_s: float = 0.0
     #: For each M190 to a higher temperature than the last.
     bed_heating_s: float = 0.0
+    #: For each change of tool, and of filament (M600).
+    tool_change_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +116,10 @@ class Estimate:
     homing_s: float
     #: Allowed for heating, s.
     heating_s: float
+    #: Allowed for changes of tool and filament, s.
+    tool_change_s: float
+    #: Number of these changes.
+    tool_changes: int
     #: Time by feature, s: ``travel``, ``retract``, ``dwell`` and the file's ``;TYPE:`` labels in
     #: small letters, ``other`` for strands without one; adds up to moving and dwelling.
     by_feature: dict[str, float]
@@ -122,13 +135,33 @@ class Estimate:
     moves: int
     #: Lines that no firmware would execute.
     garbage_lines: int
+    #: Whether E was taken as relative though the file does not say so, since it runs backwards.
+    relative_assumed: bool
+    #: Printer whose limits apply; None: those of a table.
+    printer: str | None = field(default=None, compare=False)
+    #: Why these: ``as named``, ``as the file says``, ``by default``.
+    why: str = field(default="", compare=False)
+    #: What the program that wrote the file thinks, s; None if it does not say.
+    stated_s: float | None = field(default=None, compare=False)
     #: One row for each move, where asked for.
     per_move: PerMove | None = None
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What was taken otherwise than it stands in the file, or not timed, in sentences."""
+        remarks = [RELATIVE_ASSUMED] if self.relative_assumed else []
+        if self.tool_changes and not self.tool_change_s:
+            remarks.append(
+                f"{self.tool_changes} changes of tool or filament count no time "
+                "(allowances.tool_change_s)"
+            )
+        return tuple(remarks)
 
     def to_dict(self) -> dict[str, Any]:
         """Everything but the rows, as values that JSON knows."""
         names = [name for name in self.__slots__ if name != "per_move"]
         values = {name: getattr(self, name) for name in names}
+        values["remarks"] = list(self.remarks)
         values["by_layer"] = [
             {"z_mm": layer.z_mm, "time_s": layer.time_s} for layer in self.by_layer
         ]
@@ -156,14 +189,14 @@ def estimate(
         printer's profile and ``kinematics``, or ``FILE.toml#TABLE``.
     printer
         In place of `limits`: name of a profile, or path of one. Default: the printer that the file
-        was made for if wireprint wrote it, else kossel-mini.
+        says it is for, if that is known, else kossel-mini.
     material
         Profile whose density and price apply to the filament. Default: likewise, else abs.
     firmware
         ``klipper``, ``marlin`` (junction deviation) or ``marlin-jerk`` (classic jerk). Default: the
         printer's own; ``klipper`` for `limits`.
     allowances
-        Time for homing and heating.
+        Time for homing, heating and changes of tool.
     per_move
         Whether to keep one row for each move.
 
@@ -186,10 +219,7 @@ def estimate(
     choice = Choice(limits, printer, material, firmware)
     if not isinstance(source, bytes):
         return estimate_files([source], choice, allowances, per_move=per_move)[0]
-    machine = choice.machine(source)
-    options = _options(allowances, per_move)
-    found = _core.estimate(source, machine.limits, machine.firmware, **options)
-    return _checked(found, "the text", machine)
+    return _of_text(source, TEXT, choice, _options(allowances, per_move))
 
 
 def estimate_files(
@@ -215,19 +245,29 @@ def estimate_files(
     GcodeError
         For the first file that cannot be read.
     """
-    machines = [_machine_of(path, choice) for path in paths]
+    options = _options(allowances, per_move)
     found: list[Estimate | None] = [None] * len(paths)
+    streamed: list[tuple[int, Machine, bytes]] = []
+    for i, path in enumerate(paths):
+        if kind_of(path) is None and Path(path).is_file():
+            ends = _ends(path)
+            streamed.append((i, choice.machine(ends, os.fspath(path)), ends))
+        else:
+            found[i] = _of_text(*read(path), choice, options)
+    machines = [machine for _, machine, _ in streamed]
     for machine in (one for i, one in enumerate(machines) if one not in machines[:i]):
-        places = [i for i, one in enumerate(machines) if one == machine]
-        results = _core.estimate_files(
-            [os.fspath(paths[i]) for i in places],
-            machine.limits,
-            machine.firmware,
-            **_options(allowances, per_move),
-        )
-        for i, result in zip(places, results, strict=True):
-            found[i] = _checked(result, os.fspath(paths[i]), machine)
+        group = [(i, ends) for i, one, ends in streamed if one == machine]
+        names = [os.fspath(paths[i]) for i, _ in group]
+        results = _core.estimate_files(names, machine.limits, machine.firmware, **options)
+        for (i, ends), name, result in zip(group, names, results, strict=True):
+            found[i] = _checked(result, name, machine, ends)
     return [one for one in found if one is not None]
+
+
+def _of_text(text: bytes, name: str, choice: Choice, options: dict[str, Any]) -> Estimate:
+    machine = choice.machine(text, name)
+    found = _core.estimate(text, machine.limits, machine.firmware, **options)
+    return _checked(found, name, machine, text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,6 +277,9 @@ class Machine:
     limits: MotionTable
     firmware: Firmware
     filament: Filament
+    #: Profile that the limits are from, and why it was chosen.
+    printer: str | None
+    why: str
 
 
 @dataclass(frozen=True)
@@ -248,20 +291,33 @@ class Choice:
     material: str | None = None
     firmware: Firmware | None = None
 
-    def machine(self, text: bytes) -> Machine:
-        """Return the machine for a file, given its end, where wireprint writes its settings.
+    def machine(self, text: bytes, name: str = TEXT) -> Machine:
+        """Return the machine for a file, given at least its beginning and its end.
+
+        There programs write for which printer it is.
 
         Raises
         ------
+        GcodeError
+            The settings at its end are damaged.
         SettingError
             A profile or limit is wrong.
         """
         if self.limits is not None and self.printer is not None:
             raise SettingError("limits and printer exclude each other")
+        if self.material is not None and self._limits is not None:
+            return self._named
+        from wireprint.gcode.origin import known_printer
         from wireprint.gcode.own_settings import settings_in
 
-        own = settings_in(text) if self.material is None or self._limits is None else None
-        return self._chosen if own is None else self._machine(own)
+        with named(None if name == TEXT else name):
+            own = settings_in(text)
+        if own is not None:
+            return self._machine(own, "as the file says")
+        if self._limits is not None:
+            return self._named
+        known = known_printer(text)
+        return self._default if known is None else self._foreign(*known)
 
     @cached_property
     def _limits(self) -> MotionTable | None:
@@ -275,16 +331,27 @@ class Choice:
     @cached_property
     def _known(self) -> Settings:
         """Settings of a file that states none."""
+        return self._loaded(self.printer)
+
+    def _loaded(self, printer: str | None) -> Settings:
         from wireprint.settings import Settings
 
-        given = {"printer": self.printer, "material": self.material}
+        given = {"printer": printer, "material": self.material}
         return Settings.load(**{name: value for name, value in given.items() if value is not None})
 
     @cached_property
-    def _chosen(self) -> Machine:
-        return self._machine(self._known)
+    def _named(self) -> Machine:
+        return self._machine(self._known, "as named")
 
-    def _machine(self, settings: Settings) -> Machine:
+    @cached_property
+    def _default(self) -> Machine:
+        return self._machine(self._known, "by default: the file names no printer that is known")
+
+    def _foreign(self, printer: str, written: str) -> Machine:
+        """Return the machine of a file of another program that names it."""
+        return self._machine(self._loaded(printer), f"as the file says ({written})")
+
+    def _machine(self, settings: Settings, why: str) -> Machine:
         """Return the machine of a file's settings, as far as nothing else was chosen."""
         printer = settings.printer if self.printer is None else self._known.printer
         material = settings.material if self.material is None else self._known.material
@@ -292,8 +359,14 @@ class Choice:
         filament = Filament(
             printer.extruder.filament_diameter_mm, material.density_g_cm3, material.price_per_kg
         )
-        limits = self._limits or motion_limits.of_printer(printer)
-        return Machine(limits, self.firmware or its_own, filament)
+        chosen = self._limits
+        return Machine(
+            motion_limits.of_printer(printer) if chosen is None else chosen,
+            self.firmware or its_own,
+            filament,
+            None if self.limits is not None else printer.name,
+            why if chosen is None else "as named",
+        )
 
 
 def clock(seconds: float) -> str:
@@ -304,29 +377,27 @@ def clock(seconds: float) -> str:
 
 
 def _options(allowances: Allowances, per_move: bool) -> dict[str, Any]:
-    times = (allowances.homing_s, allowances.nozzle_heating_s, allowances.bed_heating_s)
+    times = (
+        allowances.homing_s,
+        allowances.nozzle_heating_s,
+        allowances.bed_heating_s,
+        allowances.tool_change_s,
+    )
     return {"allowances_s": times, "per_move": per_move}
 
 
-def _machine_of(path: str | os.PathLike[str], choice: Choice) -> Machine:
-    with named(path):
-        try:
-            return choice.machine(_tail(path))
-        except GcodeError:
-            # Only the whole file tells the line of what is damaged.
-            with open(path, "rb") as file:
-                return choice.machine(file.read())
-
-
-def _tail(path: str | os.PathLike[str]) -> bytes:
-    """End of a file, which holds the settings that wireprint wrote there."""
+def _ends(path: str | os.PathLike[str]) -> bytes:
+    """Beginning and end of a file, where programs say for which printer it is."""
     with open(path, "rb") as file:
+        begin = file.read(_END_BYTES)
         file.seek(0, os.SEEK_END)
-        file.seek(max(0, file.tell() - _TAIL_BYTES))
-        return file.read()
+        file.seek(max(len(begin), file.tell() - _END_BYTES))
+        return begin + file.read()
 
 
-def _checked(found: _core.Estimate | Exception, name: str, machine: Machine) -> Estimate:
+def _checked(
+    found: _core.Estimate | Exception, name: str, machine: Machine, ends: bytes
+) -> Estimate:
     if isinstance(found, Exception):
         raise found
     if found.moves == 0 and found.garbage_lines > 0:
@@ -341,6 +412,8 @@ def _checked(found: _core.Estimate | Exception, name: str, machine: Machine) -> 
         travel_s=found.travel_s,
         homing_s=found.homing_s,
         heating_s=found.heating_s,
+        tool_change_s=found.tool_change_s,
+        tool_changes=found.tool_changes,
         by_feature=dict(found.by_feature),
         by_layer=tuple(LayerTime(z_mm, time_s) for z_mm, time_s in found.by_layer),
         filament_mm=found.filament_mm,
@@ -348,5 +421,9 @@ def _checked(found: _core.Estimate | Exception, name: str, machine: Machine) -> 
         filament_cost=machine.filament.cost(found.filament_mm),
         moves=found.moves,
         garbage_lines=found.garbage_lines,
+        relative_assumed=found.relative_assumed,
+        printer=machine.printer,
+        why=machine.why,
+        stated_s=stated_time_s(ends),
         per_move=None if rows is None else PerMove(*rows[:3], tuple(rows[3])),
     )

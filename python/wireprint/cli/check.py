@@ -105,9 +105,13 @@ def _lines(file: Path, certificate: Certificate) -> Iterator[str]:
     """Say what the verdict is, and what it rests on."""
     verdict = "printable" if certificate.ok else "not printable"
     yield (
-        f"{file}: {verdict} on {certificate.printer} "
+        f"{file}: {verdict} on {certificate.printer}, {certificate.judge.why} "
         f"({certificate.moves} moves, {certificate.strands} strands)"
     )
+    if certificate.unjudged:
+        yield f"  not judged from line {certificate.unjudged[0].line}"
+    for sentence in (*certificate.profile, *certificate.remarks):
+        yield f"  {sentence}"
     for name, found in certificate.breaches().items():
         yield f"  {name.replace('_', ' ')}: {len(found)}"
         for breach in found[:SHOWN]:
@@ -118,6 +122,13 @@ def _lines(file: Path, certificate: Certificate) -> Iterator[str]:
         f"  longest span: {certificate.max_span_mm:.1f} mm; "
         f"longest free end: {certificate.max_free_end_mm:.1f} mm"
     )
+    for title, counts in (
+        ("move nothing", certificate.harmless),
+        ("before the print, not carried out", certificate.preparing),
+    ):
+        if counts:
+            told = ", ".join(f"{name} ×{count}" for name, count in counts.items())
+            yield f"  {title}: {told}"
     if (fidelity := certificate.fidelity) is not None:
         yield f"  coverage: {fidelity.coverage:.1%} within {fidelity.within_mm:g} mm"
         yield (

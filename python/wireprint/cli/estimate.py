@@ -47,6 +47,12 @@ if TYPE_CHECKING:
     default=0.0,
     help="Seconds allowed for each M190 that raises the temperature.",
 )
+@click.option(
+    "--tool-change-s",
+    type=click.FloatRange(min=0),
+    default=0.0,
+    help="Seconds allowed for each change of tool or filament.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one object; a list for many files.")
 def estimate(
     files: tuple[Path, ...],
@@ -57,15 +63,16 @@ def estimate(
     homing_s: float,
     nozzle_heating_s: float,
     bed_heating_s: float,
+    tool_change_s: float,
     as_json: bool,
 ) -> None:
     """Tell how long G-code takes to print.
 
     FILES may come from any program; - is stdin. The time is that of the firmware's own look-ahead
-    planner; homing and heating count nothing unless seconds are allowed for them.
+    planner; homing, heating and changes of tool count nothing unless seconds are allowed for them.
     """
     choice = Choice(limits, printer, material, firmware)
-    allowances = Allowances(homing_s, nozzle_heating_s, bed_heating_s)
+    allowances = Allowances(homing_s, nozzle_heating_s, bed_heating_s, tool_change_s)
     estimates = estimate_files(files, choice, allowances)
     if as_json:
         objects = [
@@ -80,9 +87,13 @@ def estimate(
 
 
 def _show(path: Path, one: Estimate) -> None:
-    say(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {one.firmware})")
+    machine = "limits" if one.printer is None else one.printer
+    say(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {one.firmware}, {machine} {one.why})")
+    if one.stated_s:
+        share = one.total_s / one.stated_s - 1
+        say(f"  the program that wrote it says {clock(one.stated_s)}: {share:+.0%}")
     rows = dict(sorted(one.by_feature.items(), key=lambda row: -row[1]))
-    rows |= {"homing": one.homing_s, "heating": one.heating_s}
+    rows |= {"homing": one.homing_s, "heating": one.heating_s, "tool changes": one.tool_change_s}
     for name, seconds in rows.items():
         if seconds > 0:
             say(f"  {name:24} {clock(seconds):>8} {seconds / one.total_s:6.1%}")
@@ -90,5 +101,7 @@ def _show(path: Path, one: Estimate) -> None:
         f"  filament: {one.filament_mm:.0f} mm, {one.filament_g:.1f} g, "
         f"cost {one.filament_cost:.2f}; layers: {len(one.by_layer)}"
     )
+    for remark in one.remarks:
+        say(f"  {remark}", err=True)
     if one.garbage_lines:
         say(f"  lines that firmware would refuse: {one.garbage_lines}", err=True)

@@ -159,7 +159,7 @@ def timing(text: bytes, settings: Settings, *, per_move: bool = False) -> Estima
         text,
         limits.of_printer(settings.printer),
         limits.firmware_of(settings.printer),
-        allowances_s=(0.0, 0.0, 0.0),
+        allowances_s=(0.0, 0.0, 0.0, 0.0),
         per_move=per_move,
     )
 

@@ -24,13 +24,15 @@ if TYPE_CHECKING:
 _LAYERS: Final = (KINDS.index("layer-wise"), KINDS.index("layer-fill"))
 #: Most prints that are tried; then all stays wire.
 _ROUNDS: Final = 8
-#: Breaches of a rule → why a run is not printed as layers.
+#: Breaches of a rule → why a run is not printed as layers. What breaks others, no run does.
 _REASONS: Final = {
     "collisions": "in_the_way",
     "floating_starts": "overhang",
     "dangling_ends": "overhang",
     "spans_over": "wide_bridge",
     "out_of_bounds": "no_room",
+    "underfed": "wide_bridge",
+    "hurried": "overhang",
 }
 #: Where each kind of breach is.
 _PLACES: Final = {
@@ -39,6 +41,8 @@ _PLACES: Final = {
     "dangling_ends": "at_mm",
     "spans_over": "from_mm",
     "out_of_bounds": "at_mm",
+    "underfed": "at_mm",
+    "hurried": "at_mm",
 }
 
 
@@ -125,8 +129,8 @@ def _blamed(
     centre = np.array([*settings.printer.bed.centre_mm, 0.0])
     blamed: dict[int, str] = {}
     hollow: dict[int, str] = {}
-    for name, breaches in verdict.breaches().items():
-        for breach in breaches:
+    for name in _REASONS:
+        for breach in verdict.breaches()[name]:
             place = np.array(getattr(breach, _PLACES[name])) - centre
             slab = plan.filled_at(place)
             if slab is not None:

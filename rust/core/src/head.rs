@@ -52,6 +52,15 @@ impl Head {
             return Err(CoreError::Setting("the head's carriage must lie above its cone".into()));
         }
         let slope = slant_deg.to_radians().tan();
+        let flank = tip_radius + cone_height / slope;
+        if block_radius < flank {
+            return Err(CoreError::Setting(format!(
+                "head.block_radius_mm is {block_radius}: the block ends inside the head's own flank, which \
+                 reaches {flank:.2} mm where it begins; give {:.2} or more, or a steeper head.slant_deg, \
+                 or a lower head.cone_height_mm",
+                (flank * 100.0).ceil() / 100.0
+            )));
+        }
         Ok(Self { tip_radius, slope, cone_height, block_radius, carriage_height, carriage_radius })
     }
 

@@ -2,8 +2,10 @@
 #![allow(clippy::unwrap_used)]
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use wireprint_core::check::{Bed, Bound, Certificate, Limits, Obstacle, Rules, certify};
-use wireprint_core::gcode::machine::Step;
+use wireprint_core::check::{
+    Bed, Bound, Certificate, Dwell, Limits, Obstacle, Rules, Settling, certify,
+};
+use wireprint_core::gcode::event::Step;
 use wireprint_core::head::Head;
 
 const FIRST: f64 = 0.35;
@@ -18,11 +20,13 @@ fn rules() -> Rules {
         free_end_limit: 20.0,
         bed: Bed { centre: DVec2::ZERO, half: dvec2(85.0, 85.0), round: true, height: 200.0 },
         limits: Limits { feed: 200.0, flow: 15.0, filament_only: 50.0, filament_area: 2.405 },
+        settling: Settling { dwell: 0.0, slow: 0.0 },
+        coldest: 170.0,
     }
 }
 
 fn step(line: u64, from: DVec3, to: DVec3, filament: f64, speed: f64) -> Step {
-    Step { line, from, to, filament, speed, rapid: false, feature: 0 }
+    Step { line, from, to, filament, speed, rapid: false, homing: false, feature: 0 }
 }
 
 /// Moves under construction; lines count from 1, one per move.
@@ -227,17 +231,20 @@ fn a_corner_where_the_head_dwells_holds_itself_unless_it_is_too_far_out() {
         certificate.relaxed.iter().flat_map(|piece| piece.ends).any(|p| p.y == 10.0)
     };
     assert!(!bent(&certify(&pen.moves, &[], &rules())));
-    let held = certify(&pen.moves, &[1], &rules());
+    let held = certify(&pen.moves, &[Dwell { after: 1, seconds: 1.0 }], &rules());
     assert!(bent(&held) && held.max_free_end > 12.0);
     let short = Rules { free_end_limit: 10.0, ..rules() };
-    assert!(!bent(&certify(&pen.moves, &[1], &short)));
+    assert!(!bent(&certify(&pen.moves, &[Dwell { after: 1, seconds: 1.0 }], &short)));
 }
 
 #[test]
 fn an_end_in_the_air_dangles_even_if_the_head_dwells_there() {
     let mut pen = Pen::new(dvec3(0.0, 0.0, FIRST));
     pen.draw(dvec3(0.0, 0.0, 4.0));
-    assert_eq!(certify(&pen.moves, &[0], &rules()).dangling_ends.len(), 1);
+    assert_eq!(
+        certify(&pen.moves, &[Dwell { after: 0, seconds: 1.0 }], &rules()).dangling_ends.len(),
+        1
+    );
 }
 
 #[test]

@@ -3,8 +3,8 @@
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use proptest::prelude::*;
-use wireprint_core::check::{Bed, Limits, Rules, certify};
-use wireprint_core::gcode::machine::Step;
+use wireprint_core::check::{Bed, Limits, Rules, Settling, certify};
+use wireprint_core::gcode::event::Step;
 use wireprint_core::head::Head;
 
 fn rules() -> Rules {
@@ -16,6 +16,8 @@ fn rules() -> Rules {
         free_end_limit: 20.0,
         bed: Bed { centre: DVec2::ZERO, half: dvec2(40.0, 60.0), round: false, height: 80.0 },
         limits: Limits { feed: 200.0, flow: 1e9, filament_only: 50.0, filament_area: 2.405 },
+        settling: Settling { dwell: 0.0, slow: 0.0 },
+        coldest: 170.0,
     }
 }
 
@@ -47,6 +49,7 @@ fn moves(walk: &[(DVec3, bool)]) -> Vec<Step> {
             filament: if pair[1].1 { 1.0 } else { 0.0 },
             speed: 30.0,
             rapid: false,
+            homing: false,
             feature: 0,
         })
         .collect()

@@ -1,9 +1,13 @@
 //! The certificate of G-code texts: modes, arcs, homing, and texts that are none.
+#![allow(clippy::unwrap_used)]
 
 use glam::{DVec2, DVec3, dvec2};
 use proptest::prelude::*;
-use wireprint_core::check::{Bed, Certificate, Limits, Rules, certify_text};
+use wireprint_core::check::{Bed, Certificate, Limits, Rules, Settling, certify_text};
+use wireprint_core::gcode::arc::Fineness;
+use wireprint_core::gcode::homing::{Homing, Way};
 use wireprint_core::gcode::machine::{Dialect, MachineSettings};
+use wireprint_core::gcode::retraction::Retraction;
 use wireprint_core::head::Head;
 
 fn certificate(text: &[u8]) -> Certificate {
@@ -23,14 +27,17 @@ fn certificate(text: &[u8]) -> Certificate {
         free_end_limit: 20.0,
         bed: Bed { centre: DVec2::ZERO, half: dvec2(85.0, 85.0), round: true, height: 200.0 },
         limits: Limits { feed: 300.0, flow: 15.0, filament_only: 50.0, filament_area: 2.405 },
+        settling: Settling { dwell: 0.0, slow: 0.0 },
+        coldest: 170.0,
     };
     let machine = MachineSettings {
         dialect: Dialect::Klipper,
-        arc_resolution: 1.0,
-        home: DVec3::new(0.0, 0.0, 240.0),
-        home_all: true,
+        arcs: Fineness { resolution: 1.0, sagitta: Some(0.02) },
+        homing: Homing { at: DVec3::Z * 240.0, way: Way::Delta { radius: 100.0, arm: 215.0 } },
+        retraction: Retraction::KLIPPER,
+        relative_extrusion: false,
     };
-    certify_text(text, machine, &rules)
+    certify_text(text, machine, &[], &rules).unwrap()
 }
 
 #[test]
@@ -59,7 +66,7 @@ fn an_arc_is_tested_as_its_chords() {
 }
 
 #[test]
-fn homing_breaks_the_chain_and_is_not_judged() {
+fn homing_breaks_the_chain_and_leaves_no_bounds() {
     let text = "G28\nM83\nG1 X0 Y0 Z.35 F600\nG1 X10 E1\nG28\nG1 X20 Z30 E9\n";
     let certificate = certificate(text.as_bytes());
     assert_eq!(certificate.floating_starts.len(), 1);

@@ -4,14 +4,19 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use proptest::prelude::*;
-use wireprint_core::gcode::machine::{Dialect, Event, Machine, MachineSettings, Step};
+use wireprint_core::gcode::arc::Fineness;
+use wireprint_core::gcode::event::{Event, Step};
+use wireprint_core::gcode::homing::{Homing, Way};
+use wireprint_core::gcode::machine::{Dialect, Machine, MachineSettings};
 use wireprint_core::gcode::reader::Commands;
+use wireprint_core::gcode::retraction::Retraction;
 
 const KLIPPER: MachineSettings = MachineSettings {
     dialect: Dialect::Klipper,
-    arc_resolution: 1.0,
-    home: DVec3::ZERO,
-    home_all: false,
+    arcs: Fineness { resolution: 1.0, sagitta: None },
+    homing: Homing::AT_ORIGIN,
+    retraction: Retraction::KLIPPER,
+    relative_extrusion: false,
 };
 const MARLIN: MachineSettings = MachineSettings { dialect: Dialect::Marlin, ..KLIPPER };
 
@@ -72,7 +77,10 @@ fn homing_clears_the_offset_of_the_homed_axes_only() {
 
 #[test]
 fn a_delta_homes_all_axes_to_its_endstops() {
-    let delta = MachineSettings { home: DVec3::new(0.0, 0.0, 240.0), home_all: true, ..KLIPPER };
+    let delta = MachineSettings {
+        homing: Homing { at: DVec3::Z * 240.0, way: Way::Delta { radius: 100.0, arm: 215.0 } },
+        ..KLIPPER
+    };
     let steps = steps_with(delta, "G1 X10 Y10\nG28 X\nG1 X0 Y0 Z230");
     assert_eq!(steps[1].from, DVec3::new(0.0, 0.0, 240.0));
 }

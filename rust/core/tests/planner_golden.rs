@@ -57,6 +57,7 @@ fn limits(table: &BTreeMap<String, f64>) -> Limits {
         max_extrude_only_accel: table["max_extrude_only_accel"],
         instantaneous_corner_velocity: table["instantaneous_corner_velocity"],
         arc_resolution: table["arc_resolution"],
+        retraction: None,
         marlin: LIMITS.marlin,
     }
 }

@@ -1,18 +1,24 @@
 //! `wireprint._core.certify`, `coverage` and `deviation`.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use glam::{DVec2, DVec3};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use wireprint_core::check::{self, Bed, Bound as Limit, Limits, LooseEnd, Obstacle, Rules};
+use wireprint_core::check::{
+    self, Bed, Bound as Limit, Limits, LooseEnd, Obstacle, Rules, Settling,
+};
 use wireprint_core::fidelity::{self, Terms};
+use wireprint_core::gcode::arc::Fineness;
+use wireprint_core::gcode::homing::{Homing, Way};
 use wireprint_core::gcode::machine::{Dialect, MachineSettings};
+use wireprint_core::gcode::retraction::Retraction;
 
 use crate::arrays;
-use crate::errors::SettingError;
+use crate::errors::{SettingError, detached};
 use crate::mesh::Mesh;
+use crate::retraction::RetractionTable;
 use crate::wireframe::HeadArgs;
 
 type Point = (f64, f64, f64);
@@ -34,11 +40,43 @@ pub struct RulesTable {
     max_flow_mm3_s: f64,
     max_filament_only_mm: f64,
     filament_area_mm2: f64,
+    settle_s: f64,
+    slow_mm_s: f64,
+    coldest_c: f64,
     klipper: bool,
     arc_resolution_mm: f64,
-    home_mm: [f64; 3],
-    home_all: bool,
+    homing: HomingTable,
+    retraction: Option<RetractionTable>,
+    macros: Vec<(String, String)>,
 }
+
+/// What G28 does; `arms_mm` of a delta are its radius and the length of its arms.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct HomingTable {
+    at_mm: [f64; 3],
+    z_first: bool,
+    lift_mm: f64,
+    place_mm: Option<[f64; 2]>,
+    arms_mm: Option<[f64; 2]>,
+}
+
+impl HomingTable {
+    fn core(&self) -> Homing {
+        let way = match self.arms_mm {
+            Some([radius, arm]) => Way::Delta { radius, arm },
+            None => Way::Axes {
+                z_first: self.z_first,
+                lift: self.lift_mm,
+                place: self.place_mm.map(DVec2::from),
+            },
+        };
+        Homing { at: self.at_mm.into(), way }
+    }
+}
+
+/// Chords may stray from an arc by this share of a strand's diameter: a joint's squash is half of it.
+const ARC_SAGITTA: f64 = 1.0 / 32.0;
 
 impl RulesTable {
     fn rules(&self) -> PyResult<Rules> {
@@ -63,15 +101,22 @@ impl RulesTable {
                 filament_only: self.max_filament_only_mm,
                 filament_area: self.filament_area_mm2,
             },
+            settling: Settling { dwell: self.settle_s, slow: self.slow_mm_s },
+            coldest: self.coldest_c,
         })
     }
 
     fn machine(&self) -> MachineSettings {
+        let default = if self.klipper { Retraction::KLIPPER } else { Retraction::MARLIN };
         MachineSettings {
             dialect: if self.klipper { Dialect::Klipper } else { Dialect::Marlin },
-            arc_resolution: self.arc_resolution_mm,
-            home: DVec3::from(self.home_mm),
-            home_all: self.home_all,
+            arcs: Fineness {
+                resolution: self.arc_resolution_mm,
+                sagitta: Some(ARC_SAGITTA * self.strand_mm),
+            },
+            homing: self.homing.core(),
+            retraction: self.retraction.as_ref().map_or(default, RetractionTable::core),
+            relative_extrusion: false,
         }
     }
 }
@@ -166,7 +211,57 @@ impl Certificate {
         self.core.out_of_bounds.iter().map(row).collect()
     }
 
-    /// Number of moves, arcs counted by their chords.
+    /// Line, place in mm, length in mm, share of a free strand's filament and least share of each.
+    #[getter]
+    fn underfed(&self) -> Vec<(u64, Point, f64, f64, f64)> {
+        let row =
+            |run: &check::Underfed| (run.line, run.at.into(), run.length, run.share, run.least);
+        self.core.underfed.iter().map(row).collect()
+    }
+
+    /// Line, place in mm and dwell in s of each.
+    #[getter]
+    fn hurried(&self) -> Vec<(u64, Point, f64)> {
+        self.core.hurried.iter().map(|end| (end.line, end.at.into(), end.dwell)).collect()
+    }
+
+    /// Line, place in mm and what the nozzle was told, °C, of each.
+    #[getter]
+    fn cold(&self) -> Vec<(u64, Point, f64)> {
+        self.core.cold.iter().map(|run| (run.line, run.at.into(), run.target)).collect()
+    }
+
+    /// Line, place in mm, and whether x, y and z are meant, of each.
+    #[getter]
+    fn unhomed(&self) -> Vec<(u64, Point, [bool; 3])> {
+        self.core.unhomed.iter().map(|run| (run.line, run.at.into(), run.axes)).collect()
+    }
+
+    /// Line, command and reason of each: from the first on, the file is not judged.
+    #[getter]
+    fn unjudged(&self) -> Vec<(u64, String, &'static str)> {
+        self.core.unjudged.iter().map(|one| (one.line, one.command.clone(), one.why)).collect()
+    }
+
+    /// Commands that move nothing, and how often each stands there.
+    #[getter]
+    fn harmless(&self) -> BTreeMap<String, usize> {
+        self.core.harmless.clone()
+    }
+
+    /// Commands that prepare the print and were not carried out, likewise.
+    #[getter]
+    fn preparing(&self) -> BTreeMap<String, usize> {
+        self.core.preparing.clone()
+    }
+
+    /// Whether E was taken as relative though the file does not say so.
+    #[getter]
+    fn relative_assumed(&self) -> bool {
+        self.core.relative_assumed
+    }
+
+    /// Number of moves, arcs counted by their chords, ways home left out.
     #[getter]
     fn moves(&self) -> usize {
         self.core.moves
@@ -309,16 +404,18 @@ fn segments(
 /// Judges a G-code text.
 ///
 /// # Errors
-/// `SettingError` for a rule out of its bounds.
+/// `SettingError` for a rule out of its bounds, `MemoryLimitError` for a text that is too long.
 #[pyfunction]
 pub fn certify(
     py: Python<'_>,
     text: &Bound<'_, PyBytes>,
     rules: RulesTable,
 ) -> PyResult<Certificate> {
-    let (machine, rules) = (rules.machine(), rules.rules()?);
+    let (machine, table) = (rules.machine(), &rules);
+    let rules = table.rules()?;
     let text = text.as_bytes();
-    Ok(Certificate { core: py.detach(|| check::certify_text(text, machine, &rules)) })
+    let core = detached(py, || check::certify_text(text, machine, &table.macros, &rules))?;
+    Ok(Certificate { core })
 }
 
 /// An uncovered patch: area in mm², centroid, lowest and highest coordinates in mm.

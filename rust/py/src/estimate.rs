@@ -11,6 +11,7 @@ use wireprint_core::planner::{
 };
 
 use crate::errors::{SettingError, detached, to_py};
+use crate::retraction::RetractionTable;
 
 /// The limits as `wireprint.limits` resolves them: every key is there.
 #[derive(FromPyObject)]
@@ -31,6 +32,7 @@ pub struct MotionTable {
     arm_length: Option<f64>,
     step_distance: Option<f64>,
     endstop_height: Option<f64>,
+    retraction: Option<RetractionTable>,
     marlin: MarlinTable,
 }
 
@@ -62,6 +64,7 @@ impl MotionTable {
             max_extrude_only_accel: self.max_extrude_only_accel,
             instantaneous_corner_velocity: self.instantaneous_corner_velocity,
             arc_resolution: self.arc_resolution,
+            retraction: self.retraction.as_ref().map(RetractionTable::core),
             marlin: MarlinLimits {
                 max_velocity: self.marlin.max_velocity,
                 max_accel: self.marlin.max_accel,
@@ -146,6 +149,18 @@ impl Estimate {
         self.core.heating_s
     }
 
+    /// Allowed for changes of tool or filament, s.
+    #[getter]
+    fn tool_change_s(&self) -> f64 {
+        self.core.tool_change_s
+    }
+
+    /// Number of these changes.
+    #[getter]
+    fn tool_changes(&self) -> u64 {
+        self.core.tool_changes
+    }
+
     /// Name and time of each feature, s.
     #[getter]
     fn by_feature(&self) -> Vec<(String, f64)> {
@@ -176,6 +191,12 @@ impl Estimate {
         self.core.garbage_lines
     }
 
+    /// Whether E was taken as relative though the file does not say so.
+    #[getter]
+    fn relative_assumed(&self) -> bool {
+        self.core.relative_assumed
+    }
+
     /// Line (uint64), duration in s (float64) and type (uint16) of each move or dwell, read-only
     /// arrays of shape (N,), with the types' names; None unless asked for.
     #[getter]
@@ -199,7 +220,11 @@ fn column<'py, T: numpy::Element>(py: Python<'py>, values: &[T]) -> Bound<'py, P
     array
 }
 
-fn options(firmware: &str, allowances_s: (f64, f64, f64), per_move: bool) -> PyResult<Options> {
+fn options(
+    firmware: &str,
+    allowances_s: (f64, f64, f64, f64),
+    per_move: bool,
+) -> PyResult<Options> {
     let firmware = match firmware {
         "klipper" => Firmware::Klipper,
         "marlin" => Firmware::MarlinJunctionDeviation,
@@ -210,8 +235,8 @@ fn options(firmware: &str, allowances_s: (f64, f64, f64), per_move: bool) -> PyR
             )));
         }
     };
-    let (homing_s, nozzle_heating_s, bed_heating_s) = allowances_s;
-    let allowances = Allowances { homing_s, nozzle_heating_s, bed_heating_s };
+    let (homing_s, nozzle_heating_s, bed_heating_s, tool_change_s) = allowances_s;
+    let allowances = Allowances { homing_s, nozzle_heating_s, bed_heating_s, tool_change_s };
     Ok(Options { firmware, allowances, per_move })
 }
 
@@ -226,7 +251,7 @@ pub fn estimate(
     text: &Bound<'_, PyBytes>,
     limits: MotionTable,
     firmware: &str,
-    allowances_s: (f64, f64, f64),
+    allowances_s: (f64, f64, f64, f64),
     per_move: bool,
 ) -> PyResult<Estimate> {
     let (limits, options) = (limits.limits()?, options(firmware, allowances_s, per_move)?);
@@ -246,7 +271,7 @@ pub fn estimate_files(
     paths: Vec<PathBuf>,
     limits: MotionTable,
     firmware: &str,
-    allowances_s: (f64, f64, f64),
+    allowances_s: (f64, f64, f64, f64),
     per_move: bool,
 ) -> PyResult<Vec<Py<PyAny>>> {
     let (limits, options) = (limits.limits()?, options(firmware, allowances_s, per_move)?);

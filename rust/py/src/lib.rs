@@ -9,6 +9,7 @@ mod gcode;
 mod layered;
 mod mesh;
 mod render;
+mod retraction;
 mod slices;
 mod threemf;
 mod toolpath;

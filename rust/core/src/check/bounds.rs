@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::rules::Rules;
 use super::verdict::{Bound, OutOfBounds};
-use crate::gcode::machine::Step;
+use crate::gcode::event::Step;
 
 /// Distances outside the volume below this are rounding, mm.
 const ROUNDING_MM: f64 = 1e-6;
@@ -20,7 +20,8 @@ pub(super) fn breaches(moves: &[Step], rules: &Rules) -> Vec<OutOfBounds> {
 fn of_move(step: &Step, rules: &Rules) -> impl Iterator<Item = OutOfBounds> {
     let limits = &rules.limits;
     let length = step.from.distance(step.to);
-    let moving = length > 0.0;
+    // On its way home the head is where the firmware wants it, as fast as that wants it.
+    let moving = length > 0.0 && !step.homing;
     let feed = step.speed.min(limits.feed);
     let flow = step.filament * limits.filament_area * feed / length;
     let outside = rules.bed.outside(step.to);
@@ -32,7 +33,7 @@ fn of_move(step: &Step, rules: &Rules) -> impl Iterator<Item = OutOfBounds> {
         (Bound::Flow, moving && flow > limits.flow * share, flow, limits.flow),
         (
             Bound::FilamentOnly,
-            !moving && step.filament.abs() > limits.filament_only * share,
+            length == 0.0 && step.filament.abs() > limits.filament_only * share,
             step.filament.abs(),
             limits.filament_only,
         ),

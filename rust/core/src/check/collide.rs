@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::deposit::Deposit;
 use super::rules::Rules;
 use super::verdict::{Collision, Obstacle};
-use crate::gcode::machine::Step;
+use crate::gcode::event::Step;
 use crate::head::Hit;
 
 /// Heights below the bed by less than this are rounding, mm.

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::deposit::Deposit;
 use super::rules::Rules;
@@ -12,7 +13,7 @@ use super::rules::Rules;
 const ROUNDING_MM: f64 = 2e-3;
 
 /// Material of the same chain counts from this many strand diameters back.
-const OWN_CHAIN_DIAMETERS: f64 = 3.0;
+pub(super) const OWN_CHAIN_DIAMETERS: f64 = 3.0;
 
 /// A part of a strand, as parameters 0–1.
 pub(super) type Part = [f64; 2];
@@ -22,8 +23,17 @@ pub(super) fn touch(rules: &Rules) -> f64 {
     rules.strand + ROUNDING_MM
 }
 
+/// Strands that one task tests.
+const BATCH: usize = 64;
+
+/// The parts in contact of every strand.
+pub(super) fn of_all(deposit: &Deposit, rules: &Rules) -> Vec<Vec<Part>> {
+    let strands = (0..deposit.strands.len() as u32).into_par_iter().with_min_len(BATCH);
+    strands.map(|strand| parts(strand, deposit, rules)).collect()
+}
+
 /// The parts of a strand that are in contact with the bed or earlier material, in order, disjoint.
-pub(super) fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> {
+fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> {
     let ends = deposit.strands[strand as usize];
     let mut parts = Vec::new();
     let mut covered = 0.0;

@@ -5,10 +5,22 @@ use glam::{DVec2, DVec3};
 use super::chain;
 use super::grid::Grid;
 use super::rules::Bed;
-use crate::gcode::machine::Step;
+use crate::gcode::event::Step;
 
 /// Shorter strokes than this are blobs, mm: a thousandth of what G-code resolves.
 const SHORTEST_MM: f64 = 1e-6;
+
+/// The head stands still after a move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dwell {
+    /// Index of the move.
+    pub after: usize,
+    /// For how long, s.
+    pub seconds: f64,
+}
+
+/// Stands for no dwell at all, which differs from one of no length.
+const NO_DWELL: f64 = -1.0;
 
 /// All strands, and for each move how many were there before it.
 #[derive(Debug)]
@@ -21,8 +33,10 @@ pub(super) struct Deposit {
     pub features: Vec<u16>,
     /// Place of each strand in its chain.
     pub links: Vec<chain::Link>,
-    /// Whether the head dwells at the end of each strand.
-    pub dwells: Vec<bool>,
+    /// How long the head dwells at the end of each strand, s; negative where it does not.
+    pub dwells: Vec<f64>,
+    /// The move that lays each strand.
+    pub steps: Vec<u32>,
     /// For each move, the number of strands laid before it.
     pub laid: Vec<u32>,
     /// Highest point of the strands up to and including each, mm.
@@ -33,13 +47,13 @@ pub(super) struct Deposit {
 
 impl Deposit {
     /// Lays the strands of `moves`; after those in `dwells`, in order, the head stands still.
-    pub(super) fn of(moves: &[Step], dwells: &[usize], bed: &Bed) -> Self {
+    pub(super) fn of(moves: &[Step], dwells: &[Dwell], bed: &Bed) -> Self {
         let mut laying = Laying::default();
         let mut dwells = dwells.iter().copied().peekable();
         for (index, step) in moves.iter().enumerate() {
-            laying.apply(step);
-            while dwells.next_if(|&after| after <= index).is_some() {
-                laying.dwell(step.to);
+            laying.apply(index, step);
+            while let Some(dwell) = dwells.next_if(|dwell| dwell.after <= index) {
+                laying.dwell(step.to, dwell.seconds);
             }
         }
         laying.finish(bed)
@@ -52,7 +66,8 @@ struct Laying {
     strands: Vec<[DVec3; 2]>,
     lines: Vec<u64>,
     features: Vec<u16>,
-    dwells: Vec<bool>,
+    dwells: Vec<f64>,
+    steps: Vec<u32>,
     chains: chain::Chains,
     laid: Vec<u32>,
     tops: Vec<f64>,
@@ -61,7 +76,7 @@ struct Laying {
 }
 
 impl Laying {
-    fn apply(&mut self, step: &Step) {
+    fn apply(&mut self, index: usize, step: &Step) {
         if self.at.replace(step.to) != Some(step.from) {
             self.chains.travel();
         }
@@ -77,16 +92,19 @@ impl Laying {
         self.strands.push([step.from, step.to]);
         self.lines.push(step.line);
         self.features.push(step.feature);
-        self.dwells.push(false);
+        self.dwells.push(NO_DWELL);
+        self.steps.push(index as u32);
         self.chains.extrude(length);
         let below = self.tops.last().copied().unwrap_or(f64::NEG_INFINITY);
         self.tops.push(below.max(step.from.z).max(step.to.z));
     }
 
     /// The head stands still at `at`, perhaps at the end of the last strand.
-    fn dwell(&mut self, at: DVec3) {
-        if let (Some(strand), Some(dwells)) = (self.strands.last(), self.dwells.last_mut()) {
-            *dwells |= strand[1] == at;
+    fn dwell(&mut self, at: DVec3, seconds: f64) {
+        if let (Some(strand), Some(dwell)) = (self.strands.last(), self.dwells.last_mut())
+            && strand[1] == at
+        {
+            *dwell = dwell.max(0.0) + seconds;
         }
     }
 
@@ -98,6 +116,7 @@ impl Laying {
             lines: self.lines,
             features: self.features,
             dwells: self.dwells,
+            steps: self.steps,
             links: self.chains.links,
             laid: self.laid,
             tops: self.tops,

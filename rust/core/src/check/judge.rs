@@ -1,21 +1,27 @@
-//! Rules 1 to 4 on the moves of a file.
+//! Rules 1 to 5 on the moves of a file.
 
-use super::deposit::Deposit;
+use super::contact;
+use super::deposit::{Deposit, Dwell};
 use super::rules::Rules;
 use super::verdict::Certificate;
-use super::{bounds, collide, stretch};
-use crate::gcode::machine::Step;
+use super::{bounds, collide, feed, stretch};
+use crate::gcode::event::Step;
 
-/// Judges moves by the rules; after those with an index in `dwells`, ascending, the head dwells.
+/// Judges moves by the rules; the head dwells after some of them, in their order.
 ///
 /// The work grows as n log n with the moves of a print that goes upwards, and is shared among all
 /// cores; the verdict does not depend on their number.
 #[must_use]
-pub fn certify(moves: &[Step], dwells: &[usize], rules: &Rules) -> Certificate {
+pub fn certify(moves: &[Step], dwells: &[Dwell], rules: &Rules) -> Certificate {
     let deposit = Deposit::of(moves, dwells, &rules.bed);
-    let (collisions, (held, out_of_bounds)) = rayon::join(
+    let hold = || {
+        let contacts = contact::of_all(&deposit, rules);
+        let underfed = feed::breaches(moves, &contacts, &deposit, rules);
+        (stretch::hold(moves, &contacts, &deposit, rules), underfed)
+    };
+    let (collisions, ((held, underfed), out_of_bounds)) = rayon::join(
         || collide::collisions(moves, &deposit, rules),
-        || rayon::join(|| stretch::hold(&deposit, rules), || bounds::breaches(moves, rules)),
+        || rayon::join(hold, || bounds::breaches(moves, rules)),
     );
     Certificate {
         collisions,
@@ -23,14 +29,15 @@ pub fn certify(moves: &[Step], dwells: &[usize], rules: &Rules) -> Certificate {
         dangling_ends: held.dangling_ends,
         spans_over: held.spans_over,
         out_of_bounds,
+        underfed,
+        hurried: held.hurried,
         max_span: held.max_span,
         max_free_end: held.max_free_end,
-        moves: moves.len(),
-        garbage_lines: 0,
+        moves: moves.iter().filter(|step| !step.homing).count(),
         relaxed: held.relaxed,
         strands: deposit.strands,
         strand_lines: deposit.lines,
         strand_features: deposit.features,
-        features: Vec::new(),
+        ..Certificate::default()
     }
 }

@@ -62,6 +62,20 @@ pub struct Rules {
     pub bed: Bed,
     /// What machine and firmware allow.
     pub limits: Limits,
+    /// What lets a free end hold by itself.
+    pub settling: Settling,
+    /// Below this a nozzle must not extrude, °C.
+    pub coldest: f64,
+}
+
+/// What lets the end of a stroke in the air hold by itself: the head stays until it has set, or has
+/// been so slow that it sets as it is laid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settling {
+    /// Shortest dwell that does, s; 0: none is asked for.
+    pub dwell: f64,
+    /// At this speed and below, none is needed, mm/s.
+    pub slow: f64,
 }
 
 impl Rules {

@@ -3,22 +3,21 @@
 //! Along a chain, parts in contact alternate with **stretches** that hang. Two kinds of vertices
 //! divide them, for there the strand solidifies as a free end that carries itself (a post), and
 //! what follows hangs from it: the **peak** from which strokes that rose from a contact by at least
-//! half a strand diameter rise no further; and a vertex at which the head **dwells**, if it is
-//! within the limit of a free end of the last contact. A stretch that ends at the chain's end
-//! without contact is a free end too. All others are held at both ends.
+//! half a strand diameter rise no further; and a vertex at which the head **dwells** long enough to
+//! let it set, if it is within the limit of a free end of the last contact. A stretch that ends at
+//! the chain's end without contact is a free end too. All others are held at both ends.
+//!
+//! A free end that the head leaves too soon does not hold: it is named ([`settle`]).
 //!
 //! Under its own tension a hanging stretch relaxes towards the chord between what holds it.
 
 use glam::DVec3;
-use rayon::prelude::*;
 
-use super::contact;
 use super::deposit::Deposit;
 use super::rules::Rules;
-use super::verdict::{LooseEnd, Relaxed, Span};
-
-/// Strands that one task tests.
-const BATCH: usize = 64;
+use super::verdict::{Hurried, LooseEnd, Relaxed, Span};
+use super::{closing, contact, settle};
+use crate::gcode::event::Step;
 
 /// What holds the chains of a deposit.
 #[derive(Debug, Default)]
@@ -26,23 +25,24 @@ pub(super) struct Held {
     pub floating_starts: Vec<LooseEnd>,
     pub dangling_ends: Vec<LooseEnd>,
     pub spans_over: Vec<Span>,
+    pub hurried: Vec<Hurried>,
     pub max_span: f64,
     pub max_free_end: f64,
     pub relaxed: Vec<Relaxed>,
 }
 
-/// Walks along all chains.
-pub(super) fn hold(deposit: &Deposit, rules: &Rules) -> Held {
-    let contacts: Vec<Vec<contact::Part>> = (0..deposit.strands.len() as u32)
-        .into_par_iter()
-        .with_min_len(BATCH)
-        .map(|strand| contact::parts(strand, deposit, rules))
-        .collect();
+/// Walks along all chains, given what of each strand is in contact.
+pub(super) fn hold(
+    moves: &[Step],
+    contacts: &[Vec<contact::Part>],
+    deposit: &Deposit,
+    rules: &Rules,
+) -> Held {
     let mut held = Held::default();
     let mut first = 0;
     for chain in deposit.links.chunk_by(|a, b| a.chain == b.chain) {
         let of_chain = &contacts[first..first + chain.len()];
-        let mut walk = Walk::start(first, of_chain, deposit, rules, &mut held);
+        let mut walk = Walk::start(first, of_chain, moves, deposit, rules, &mut held);
         for (strand, parts) in (first..).zip(of_chain) {
             walk.along(strand, parts);
         }
@@ -54,6 +54,7 @@ pub(super) fn hold(deposit: &Deposit, rules: &Rules) -> Held {
 
 /// A walk along one chain.
 struct Walk<'a> {
+    moves: &'a [Step],
     deposit: &'a Deposit,
     rules: &'a Rules,
     held: &'a mut Held,
@@ -63,6 +64,8 @@ struct Walk<'a> {
     hanging: f64,
     /// Length from the last contact to `support`, mm.
     standing: f64,
+    /// Length along the chain up to the last contact, peak or dwell, mm.
+    held_at: f64,
     /// Whether the chain is in contact where the walk stands.
     touching: bool,
     /// Whether the stretch has only risen since its contact: its top may become a peak.
@@ -73,6 +76,7 @@ impl<'a> Walk<'a> {
     fn start(
         first: usize,
         contacts: &[Vec<contact::Part>],
+        moves: &'a [Step],
         deposit: &'a Deposit,
         rules: &'a Rules,
         held: &'a mut Held,
@@ -82,12 +86,14 @@ impl<'a> Walk<'a> {
             held.floating_starts.push(LooseEnd { line: deposit.lines[first], at });
         }
         Self {
+            moves,
             deposit,
             rules,
             held,
             support: at,
             hanging: 0.0,
             standing: 0.0,
+            held_at: 0.0,
             touching: false,
             rising: true,
         }
@@ -108,6 +114,7 @@ impl<'a> Walk<'a> {
             self.relax(strand, begin, end);
             self.support = end;
             self.standing = 0.0;
+            self.held_at = self.deposit.links[strand].arc + leave * length;
             self.rising = true;
             done = leave;
         }
@@ -116,7 +123,7 @@ impl<'a> Walk<'a> {
         if !self.touching && to.z <= from.z {
             self.rising = false;
         }
-        if !self.touching && self.deposit.dwells[strand] {
+        if !self.touching && settle::dwells(strand, self.deposit, self.rules) {
             self.solidify(strand, to);
         }
     }
@@ -128,11 +135,17 @@ impl<'a> Walk<'a> {
         }
     }
 
+    /// The end of strand `strand` must hold by itself.
+    fn settle(&mut self, strand: usize) {
+        self.held.hurried.extend(settle::breach(strand, self.moves, self.deposit, self.rules));
+    }
+
     /// What hangs up to a vertex carries itself.
     fn stand(&mut self, strand: usize, at: DVec3) {
         self.standing += self.hanging;
         self.close(strand, at, true);
         self.support = at;
+        self.held_at = self.deposit.links[strand].arc + self.deposit.links[strand].length;
         self.rising = false;
     }
 
@@ -140,6 +153,7 @@ impl<'a> Walk<'a> {
     fn crest(&mut self, next: usize, top: DVec3) {
         self.rising = false;
         if self.hanging > 0.0 && top.z - self.support.z >= self.rules.tolerance() {
+            self.settle(next - 1);
             self.stand(next - 1, top);
         }
     }
@@ -150,8 +164,14 @@ impl<'a> Walk<'a> {
             return;
         }
         let at = self.deposit.strands[last][1];
-        self.close(last, at, true);
-        if !met_later(last as u32, at, self.deposit, self.rules) {
+        let closed = closing::ends_on_itself(last, self.held_at, self.deposit, self.rules);
+        self.close(last, at, !closed);
+        if closed {
+            return;
+        }
+        if met_later(last as u32, at, self.deposit, self.rules) {
+            self.settle(last);
+        } else {
             self.held.dangling_ends.push(LooseEnd { line: self.deposit.lines[last], at });
         }
     }

@@ -1,5 +1,7 @@
 //! What a certificate says: every breach of the rules, with the line that commands it.
 
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 
 /// What the head ran into.
@@ -81,6 +83,65 @@ pub struct OutOfBounds {
     pub limit: f64,
 }
 
+/// A run of strands that gets too little filament.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Underfed {
+    /// Line of its first strand.
+    pub line: u64,
+    /// Where it starts, mm.
+    pub at: DVec3,
+    /// Length of the run, mm.
+    pub length: f64,
+    /// What it gets, as a share of what a free strand takes.
+    pub share: f64,
+    /// What it needs at least.
+    pub least: f64,
+}
+
+/// The end of a stroke in the air that the head leaves before it holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hurried {
+    /// Line of the stroke.
+    pub line: u64,
+    /// Where it ends, mm.
+    pub at: DVec3,
+    /// How long the head dwells there, s.
+    pub dwell: f64,
+}
+
+/// Filament fed through a nozzle that is too cold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cold {
+    /// Line of the first strand of a run.
+    pub line: u64,
+    /// Where it starts, mm.
+    pub at: DVec3,
+    /// What the nozzle was told last, °C: too cold, or hot enough but not waited for.
+    pub target: f64,
+}
+
+/// A move along an axis that was not homed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unhomed {
+    /// Line of the first move of a run.
+    pub line: u64,
+    /// Where it ends, mm, by the file's reckoning.
+    pub at: DVec3,
+    /// Which of X, Y and Z.
+    pub axes: [bool; 3],
+}
+
+/// A command from which on the file cannot be judged.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unjudged {
+    /// Its line.
+    pub line: u64,
+    /// The command.
+    pub command: String,
+    /// Why.
+    pub why: &'static str,
+}
+
 /// The verdict on a file: every breach, in the order of its lines.
 #[derive(Debug, Clone, Default)]
 pub struct Certificate {
@@ -94,11 +155,28 @@ pub struct Certificate {
     pub spans_over: Vec<Span>,
     /// Breaches of rule 4.
     pub out_of_bounds: Vec<OutOfBounds>,
+    /// Breaches of rule 5: runs of strands with too little filament.
+    pub underfed: Vec<Underfed>,
+    /// Breaches of rule 5: strokes whose free ends are left before they hold.
+    pub hurried: Vec<Hurried>,
+    /// Breaches of rule 6: extrusions through a cold nozzle.
+    pub cold: Vec<Cold>,
+    /// Breaches of rule 6: moves along axes that are not home.
+    pub unhomed: Vec<Unhomed>,
+    /// Commands of a text that were not carried out as its firmware would, in order: from the first
+    /// on nothing is certain, and what follows was judged as if they did nothing.
+    pub unjudged: Vec<Unjudged>,
+    /// Commands of a text that move nothing, and how often each stands there, by name.
+    pub harmless: BTreeMap<String, usize>,
+    /// Commands before the print that prepare it and were not carried out, likewise.
+    pub preparing: BTreeMap<String, usize>,
+    /// Whether E was taken as relative though the text does not say so, since it runs backwards.
+    pub relative_assumed: bool,
     /// Longest stretch held at both ends, mm.
     pub max_span: f64,
     /// Longest stretch held at one end, mm.
     pub max_free_end: f64,
-    /// Number of moves, arcs counted by their chords.
+    /// Number of moves, arcs counted by their chords, ways home left out.
     pub moves: usize,
     /// Number of lines of a text that no firmware executes.
     pub garbage_lines: usize,
@@ -124,10 +202,10 @@ pub struct Relaxed {
 }
 
 impl Certificate {
-    /// Whether no rule is broken.
+    /// Whether all of it was judged, and no rule is broken.
     #[must_use]
     pub fn ok(&self) -> bool {
-        self.breaches() == 0
+        self.unjudged.is_empty() && self.breaches() == 0
     }
 
     /// Number of breaches.
@@ -138,5 +216,9 @@ impl Certificate {
             + self.dangling_ends.len()
             + self.spans_over.len()
             + self.out_of_bounds.len()
+            + self.underfed.len()
+            + self.hurried.len()
+            + self.cold.len()
+            + self.unhomed.len()
     }
 }

@@ -6,8 +6,19 @@ use glam::DVec3;
 
 use super::command::{Centre as CentreWords, Plane};
 
-/// Most chords that one arc may have: guards against a circle of absurd size.
-const MAX_CHORDS: f64 = 1e6;
+/// Most chords that one arc may have, whatever its radius says: those of a circle 650 mm wide in
+/// pieces of a millimetre. The sagitta of as many chords is a millionth of the radius.
+const MOST_CHORDS: f64 = 2048.0;
+
+/// How finely arcs are cut into chords.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fineness {
+    /// Length of the chords that the firmware makes, mm.
+    pub resolution: f64,
+    /// Fewer chords do where they stray from the arc by no more than this, mm; `None`: where it
+    /// matters how many there are.
+    pub sagitta: Option<f64>,
+}
 
 /// The centre of an arc, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,10 +61,10 @@ pub struct Arc {
 impl Arc {
     /// The chords' ends, the last one exactly `to`.
     ///
-    /// The arc is cut into `max(1, ⌊length / resolution⌋)` pieces of equal angle, as firmwares do
-    /// (`resolution` in mm).
+    /// The arc is cut into `max(1, ⌊length / resolution⌋)` pieces of equal angle, as firmwares do,
+    /// or into fewer, as `fineness` says. A piece of angle φ on radius r strays by rφ²/8.
     #[must_use]
-    pub fn chords(&self, resolution: f64) -> Chords {
+    pub fn chords(&self, fineness: Fineness) -> Chords {
         let (a, b, c) = match self.plane {
             Plane::Xy => (0, 1, 2),
             Plane::Xz => (0, 2, 1),
@@ -75,8 +86,12 @@ impl Arc {
             turn -= TAU;
         }
         let rise = self.to[c] - self.from[c];
-        let length = (start.0.hypot(start.1) * turn).hypot(rise);
-        let pieces = (length / resolution).floor().clamp(1.0, MAX_CHORDS);
+        let radius = start.0.hypot(start.1);
+        let of_firmware = ((radius * turn).hypot(rise) / fineness.resolution).floor();
+        let enough = fineness.sagitta.map_or(f64::INFINITY, |sagitta| {
+            (turn.abs() * (radius / (8.0 * sagitta)).sqrt()).ceil()
+        });
+        let pieces = of_firmware.min(enough).clamp(1.0, MOST_CHORDS);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
         let count = pieces as u32;
         Chords { arc: *self, axes: (a, b, c), start, offset, turn, rise, count, done: 0 }

@@ -69,6 +69,9 @@ pub enum Command<'a> {
         rapid: bool,
         /// Its words.
         axes: Axes,
+        /// The first of its words that is none of [`Axes`]: a letter, or `(` of a comment that not
+        /// every firmware takes as one.
+        other: Option<u8>,
     },
     /// G2 (`clockwise`) and G3.
     Arc {
@@ -78,6 +81,8 @@ pub enum Command<'a> {
         axes: Axes,
         /// Its centre.
         centre: Centre,
+        /// As in [`Command::Linear`].
+        other: Option<u8>,
     },
     /// G4.
     Dwell {
@@ -101,6 +106,8 @@ pub enum Command<'a> {
         y: bool,
         /// Z is homed.
         z: bool,
+        /// Only axes that are not homed yet (`O`, Marlin).
+        if_needed: bool,
     },
     /// G90 and G91 (`relative`).
     Positioning {
@@ -113,11 +120,19 @@ pub enum Command<'a> {
         relative: bool,
     },
     /// G92.
-    SetPosition(Axes),
-    /// Any other G-code, without its decimals (`G29.1` is 29).
+    SetPosition {
+        /// Its words.
+        axes: Axes,
+        /// As in [`Command::Linear`].
+        other: Option<u8>,
+    },
+    /// Any other G-code.
     G(u32, Words<'a>),
     /// Any other M-code.
     M(u32, Words<'a>),
+    /// A G- or M-code with a decimal, which is a code of its own: letter and number of
+    /// `G92.1` or `M862.3`.
+    Sub(u8, &'a [u8], Words<'a>),
     /// T-code.
     Tool(u32),
     /// A named command of Klipper, `SET_PIN PIN=air VALUE=1`: the name and the rest of the line.
@@ -133,6 +148,17 @@ pub enum Command<'a> {
 pub struct Words<'a>(pub &'a [u8]);
 
 impl Words<'_> {
+    /// The letters of the words (capitals), in their order.
+    pub fn letters(&self) -> impl Iterator<Item = u8> {
+        self.0.iter().filter(|byte| byte.is_ascii_alphabetic()).map(u8::to_ascii_uppercase)
+    }
+
+    /// Whether there is a word with this letter (capital), with a value or without.
+    #[must_use]
+    pub fn has(&self, letter: u8) -> bool {
+        self.letters().any(|found| found == letter)
+    }
+
     /// The value of the last word with this letter (capital), as firmwares read it.
     #[must_use]
     pub fn get(&self, letter: u8) -> Option<f64> {

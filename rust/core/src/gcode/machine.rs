@@ -2,22 +2,34 @@
 //!
 //! Firmwares differ in a few readings; [`Dialect`] chooses. What both agree on: `M220` also rescales
 //! the feed that is already set, `M221` the filament, a rejected feed (not positive) leaves the old
-//! one, G28 clears the G92 offset of the axes it homes. Klipper itself refuses G20, and arcs given
-//! by R; both are read here, since other firmwares print them.
+//! one, G28 clears the G92 offset of the axes it homes. Klipper itself refuses G20, G53, M200 and
+//! arcs given by R; all are read here, since other firmwares print them. What may not be known is
+//! reported beside ([`Event::Word`], [`Event::Other`]), for those who must be sure.
+
+use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::arc;
-use super::command::{Axes, Command, Plane};
-use super::number::decimal;
+use super::arc::{self, Fineness};
+use super::command::{Axes, Centre, Command, Plane, Words};
+use super::event::{Event, Step};
+use super::features::{Features, Remark};
+use super::homing::Homing;
+use super::reader::parse_line;
+use super::retraction::Retraction;
 
 /// Feed before the first F word, mm/s (both Klipper and Marlin).
 const INITIAL_SPEED: f64 = 25.0;
 
 const MM_PER_INCH: f64 = 25.4;
 
-/// Different `;TYPE:` labels told apart; later ones count as the first, unnamed one.
-const MAX_FEATURES: usize = 1 << 10;
+/// Marlin's `DEFAULT_NOMINAL_FILAMENT_DIA`, mm: for an M200 that states none.
+const FILAMENT_DIAMETER: f64 = 1.75;
+
+/// Chords that the arcs of a text may come to where only their shape matters: so many, and so many
+/// more for each line, so that memory grows with the text and not with the radii in it.
+const CHORDS: u64 = 1 << 18;
+const CHORDS_PER_LINE: u64 = 32;
 
 /// Whose reading of ambiguous commands applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -34,50 +46,14 @@ pub enum Dialect {
 pub struct MachineSettings {
     /// Whose reading applies.
     pub dialect: Dialect,
-    /// Length of the chords of an arc, mm.
-    pub arc_resolution: f64,
-    /// Where G28 leaves the head, mm.
-    pub home: DVec3,
-    /// Whether G28 homes all axes whatever it names, as a delta does.
-    pub home_all: bool,
-}
-
-/// One straight move of the head or the filament.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    /// Line of the file, from 1.
-    pub line: u64,
-    /// Where the head starts, mm, in the machine's coordinates.
-    pub from: DVec3,
-    /// Where the head arrives, mm.
-    pub to: DVec3,
-    /// Filament fed, mm; negative where it is pulled back.
-    pub filament: f64,
-    /// Feed asked for, mm/s: along the path, or of the filament where the head stands.
-    pub speed: f64,
-    /// Whether the move was written as G0.
-    pub rapid: bool,
-    /// Index into [`Machine::features`].
-    pub feature: u16,
-}
-
-/// What a command asks for beside moves.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Event<'a> {
-    /// A straight move; one that moves nothing is not reported.
-    Step(Step),
-    /// The head stands still, s.
-    Dwell(f64),
-    /// G28 has put the head at a new place.
-    Home,
-    /// A layer begins (`;LAYER_CHANGE` or `;LAYER:n`).
-    Layer,
-    /// A comment states the layer's height (`;Z:`), mm.
-    LayerHeight(f64),
-    /// A command that moves nothing, for those whom it concerns.
-    Other(Command<'a>),
-    /// A line that is not executed.
-    Garbage,
+    /// How finely arcs are cut.
+    pub arcs: Fineness,
+    /// What G28 does.
+    pub homing: Homing,
+    /// What G10 and G11 do until the file says otherwise.
+    pub retraction: Retraction,
+    /// Whether E counts from the last move until the file says otherwise.
+    pub relative_extrusion: bool,
 }
 
 /// Interprets commands one after another.
@@ -86,9 +62,14 @@ pub struct Machine {
     settings: MachineSettings,
     /// Where the head is, mm.
     position: DVec3,
-    /// What G92 added: machine coordinate minus the file's, mm.
+    /// What G92 and a hop added: machine coordinate minus the file's, mm.
     offset: DVec3,
-    /// Reading of the extruder's axis in the file's coordinates, mm before M221.
+    /// Part of the offset that is a hop of G10, mm.
+    hop: f64,
+    /// Filament that G10 holds back, mm.
+    retracted: Option<f64>,
+    retraction: Retraction,
+    /// Reading of the extruder's axis in the file's coordinates, before M200 and M221.
     extruder: f64,
     relative: bool,
     relative_extrusion: bool,
@@ -97,9 +78,18 @@ pub struct Machine {
     /// Feed as written, mm/s.
     feed: f64,
     feed_factor: f64,
+    /// What M220 B keeps for M220 R.
+    kept_feed_factor: f64,
     flow_factor: f64,
-    features: Vec<String>,
-    feature: u16,
+    /// Cross-section of the filament where E is a volume, mm².
+    volumetric: Option<f64>,
+    /// Diameter that M200 stated last, mm.
+    filament_diameter: f64,
+    tool: u32,
+    /// Which of X, Y and Z know where they are.
+    homed: [bool; 3],
+    chords: u64,
+    features: Features,
 }
 
 impl Machine {
@@ -110,16 +100,24 @@ impl Machine {
             settings,
             position: DVec3::ZERO,
             offset: DVec3::ZERO,
+            hop: 0.0,
+            retracted: None,
+            retraction: settings.retraction,
             extruder: 0.0,
             relative: false,
-            relative_extrusion: false,
+            relative_extrusion: settings.relative_extrusion,
             plane: Plane::Xy,
             mm_per_unit: 1.0,
             feed: INITIAL_SPEED,
             feed_factor: 1.0,
+            kept_feed_factor: 1.0,
             flow_factor: 1.0,
-            features: vec![String::new()],
-            feature: 0,
+            volumetric: None,
+            filament_diameter: FILAMENT_DIAMETER,
+            tool: 0,
+            homed: [false; 3],
+            chords: 0,
+            features: Features::new(),
         }
     }
 
@@ -127,13 +125,30 @@ impl Machine {
     /// before any.
     #[must_use]
     pub fn features(&self) -> &[String] {
-        &self.features
+        &self.features.names
     }
 
     /// Where the head is, mm.
     #[must_use]
     pub fn position(&self) -> DVec3 {
         self.position
+    }
+
+    /// Whether coordinates count from the last move (G91).
+    #[must_use]
+    pub fn is_relative(&self) -> bool {
+        self.relative
+    }
+
+    /// Which of X, Y and Z were homed, and have kept their motors on since.
+    #[must_use]
+    pub fn homed(&self) -> [bool; 3] {
+        self.homed
+    }
+
+    /// Something that is not known here has homed all axes.
+    pub fn assume_homed(&mut self) {
+        self.homed = [true; 3];
     }
 
     /// Applies one command and reports what comes of it.
@@ -145,22 +160,13 @@ impl Machine {
         mut report: impl FnMut(Event<'a>),
     ) {
         match *command {
-            Command::Linear { rapid, ref axes } => self.straight(line, rapid, axes, &mut report),
-            Command::Arc { clockwise, ref axes, centre } => {
-                self.set_feed(axes.f);
-                let from = self.position;
-                let to = self.target(axes);
-                let filament = self.feed_filament(axes.e);
-                let centre = arc::Centre::new(centre, self.mm_per_unit);
-                let path = arc::Arc { from, to, centre, clockwise, plane: self.plane };
-                let points = path.chords(self.settings.arc_resolution);
-                let share = filament / f64::from(points.pieces());
-                for to in points {
-                    self.step(line, false, to, share, &mut report);
+            Command::Linear { rapid, ref axes, other } => {
+                self.straight(line, rapid, axes, &mut report);
+                if let Some(word) = other {
+                    report(Event::Word(word));
                 }
             }
-            Command::Comment(text) => self.comment(text, &mut report),
-            _ => self.modal(*command, &mut report),
+            _ => self.rare(line, command, &mut report),
         }
     }
 
@@ -193,21 +199,95 @@ impl Machine {
         }
         self.position = to;
         let speed = self.feed * self.feed_factor;
-        let feature = self.feature;
-        report(Event::Step(Step { line, from, to, filament, speed, rapid, feature }));
+        let feature = self.features.current;
+        report(Event::Step(Step {
+            line,
+            from,
+            to,
+            filament,
+            speed,
+            rapid,
+            homing: false,
+            feature,
+        }));
+    }
+
+    fn arc<'a>(
+        &mut self,
+        line: u64,
+        clockwise: bool,
+        axes: &Axes,
+        centre: Centre,
+        report: &mut impl FnMut(Event<'a>),
+    ) {
+        self.set_feed(axes.f);
+        let from = self.position;
+        let to = self.target(axes);
+        let filament = self.feed_filament(axes.e);
+        let centre = arc::Centre::new(centre, self.mm_per_unit);
+        let path = arc::Arc { from, to, centre, clockwise, plane: self.plane };
+        let points = path.chords(self.settings.arcs);
+        let pieces = points.pieces();
+        self.chords = self.chords.saturating_add(u64::from(pieces));
+        let most = CHORDS.saturating_add(CHORDS_PER_LINE.saturating_mul(line));
+        if self.settings.arcs.sagitta.is_some() && self.chords > most {
+            self.step(line, false, to, filament, report);
+            report(Event::CoarseArc);
+            return;
+        }
+        let share = filament / f64::from(pieces);
+        for to in points {
+            self.step(line, false, to, share, report);
+        }
+    }
+
+    /// Whatever is no straight move.
+    fn rare<'a>(&mut self, line: u64, command: &Command<'a>, report: &mut impl FnMut(Event<'a>)) {
+        match *command {
+            Command::Arc { clockwise, ref axes, centre, other } => {
+                self.arc(line, clockwise, axes, centre, report);
+                if let Some(word) = other {
+                    report(Event::Word(word));
+                }
+            }
+            Command::Comment(text) => match self.features.comment(text) {
+                Remark::None => {}
+                Remark::Layer => report(Event::Layer),
+                Remark::Height(height) => report(Event::LayerHeight(height)),
+            },
+            Command::Dwell { p_ms, s } => report(Event::Dwell(self.dwell(p_ms, s))),
+            Command::Home { x, y, z, if_needed } => {
+                let mut named = [x, y, z];
+                if if_needed {
+                    named.iter_mut().zip(self.homed).for_each(|(axis, home)| *axis &= !home);
+                }
+                if named != [false; 3] {
+                    self.home(line, named, report);
+                }
+            }
+            Command::G(53, words) => self.native(line, command, words, report),
+            Command::G(10, words) if words.letters().all(|word| word == b'S') => {
+                self.retract(line, words, report);
+            }
+            Command::G(11, words) if words.letters().all(|word| word == b'S') => {
+                self.unretract(line, report);
+            }
+            Command::Tool(number) => {
+                let changed = std::mem::replace(&mut self.tool, number) != number;
+                report(Event::Tool { number, changed });
+            }
+            Command::Garbage(text) => report(Event::Garbage(text)),
+            _ => self.modal(command, report),
+        }
     }
 
     /// Everything that changes a mode or is somebody else's.
-    fn modal<'a>(&mut self, command: Command<'a>, report: &mut impl FnMut(Event<'a>)) {
-        match command {
-            Command::Dwell { p_ms, s } => report(Event::Dwell(self.dwell(p_ms, s))),
+    fn modal<'a>(&mut self, command: &Command<'a>, report: &mut impl FnMut(Event<'a>)) {
+        match *command {
             Command::ArcPlane(plane) => self.plane = plane,
             Command::Units { inches } => {
                 self.mm_per_unit = if inches { MM_PER_INCH } else { 1.0 };
-            }
-            Command::Home { x, y, z } => {
-                self.home([x, y, z]);
-                report(Event::Home);
+                report(Event::Other(*command));
             }
             Command::Positioning { relative } => {
                 self.relative = relative;
@@ -216,12 +296,97 @@ impl Machine {
                 }
             }
             Command::Extrusion { relative } => self.relative_extrusion = relative,
-            Command::SetPosition(axes) => self.set_position(&axes),
-            Command::M(220, words) => set_percent(&mut self.feed_factor, words.get(b'S')),
+            Command::SetPosition { axes, other } => {
+                self.set_position(&axes, other.is_some());
+                if let Some(word) = other {
+                    report(Event::Word(word));
+                }
+            }
+            Command::M(200, words) => {
+                self.set_volumetric(words);
+                report(Event::Other(*command));
+            }
+            Command::M(18 | 84, words) => {
+                self.release(words);
+                report(Event::Other(*command));
+            }
+            Command::M(220, words) => self.set_feed_factor(words),
             Command::M(221, words) => set_percent(&mut self.flow_factor, words.get(b'S')),
-            Command::Garbage(_) => report(Event::Garbage),
-            other => report(Event::Other(other)),
+            ref other => {
+                self.retraction.command(other);
+                report(Event::Other(*other));
+            }
         }
+    }
+
+    /// G53: the move that follows it in the line, in the machine's own coordinates. Who must be sure
+    /// learns of it where firmwares differ: Klipper has none, and what G92 did to these coordinates
+    /// is not the same for all.
+    fn native<'a>(
+        &mut self,
+        line: u64,
+        command: &Command<'a>,
+        words: Words<'a>,
+        report: &mut impl FnMut(Event<'a>),
+    ) {
+        let hop = DVec3::Z * self.hop;
+        if self.settings.dialect == Dialect::Klipper || self.offset != hop {
+            report(Event::Other(*command));
+        }
+        let offset = std::mem::replace(&mut self.offset, hop);
+        match parse_line(words.0) {
+            Some(Command::Linear { rapid, axes, other: None }) => {
+                self.straight(line, rapid, &axes, report);
+            }
+            Some(Command::Arc { clockwise, axes, centre, other: None }) => {
+                self.arc(line, clockwise, &axes, centre, report);
+            }
+            _ => report(Event::Other(*command)),
+        }
+        self.offset = offset;
+    }
+
+    fn retract<'a>(&mut self, line: u64, words: Words<'_>, report: &mut impl FnMut(Event<'a>)) {
+        if self.retracted.is_some() {
+            return;
+        }
+        let Retraction { length, swap_length, speed, hop, .. } = self.retraction;
+        let swaps = words.get(b'S').is_some_and(|swaps| swaps > 0.0);
+        let length = if swaps { swap_length } else { length };
+        self.retracted = Some(length);
+        self.filament_only(line, -length, speed, report);
+        self.lift(line, hop, report);
+    }
+
+    fn unretract<'a>(&mut self, line: u64, report: &mut impl FnMut(Event<'a>)) {
+        if let Some(length) = self.retracted.take() {
+            let Retraction { extra, recover_speed, .. } = self.retraction;
+            self.lift(line, -self.hop, report);
+            self.filament_only(line, length + extra, recover_speed, report);
+        }
+    }
+
+    /// Feeds filament at a speed of its own while the head stands.
+    fn filament_only<'a>(
+        &mut self,
+        line: u64,
+        filament: f64,
+        speed: f64,
+        report: &mut impl FnMut(Event<'a>),
+    ) {
+        let (at, feature) = (self.position, self.features.current);
+        if filament != 0.0 {
+            let (from, to, rapid, homing) = (at, at, false, false);
+            report(Event::Step(Step { line, from, to, filament, speed, rapid, homing, feature }));
+        }
+    }
+
+    /// Lifts the head, and with it all that follows.
+    fn lift<'a>(&mut self, line: u64, by: f64, report: &mut impl FnMut(Event<'a>)) {
+        self.hop += by;
+        self.offset.z += by;
+        let to = self.position + DVec3::Z * by;
+        self.step(line, false, to, 0.0, report);
     }
 
     fn dwell(&self, p_ms: Option<f64>, s: Option<f64>) -> f64 {
@@ -241,6 +406,31 @@ impl Machine {
         if speed > f64::EPSILON {
             self.feed = speed;
         }
+    }
+
+    /// M220: S sets; in Marlin R brings back what B kept before.
+    fn set_feed_factor(&mut self, words: Words<'_>) {
+        let factor = self.feed_factor;
+        if self.settings.dialect == Dialect::Marlin {
+            if words.has(b'R') {
+                self.feed_factor = self.kept_feed_factor;
+            }
+            if words.has(b'B') {
+                self.kept_feed_factor = factor;
+            }
+        }
+        set_percent(&mut self.feed_factor, words.get(b'S'));
+    }
+
+    /// M200: with a diameter E is a volume from here on, with D0 or S0 a length again.
+    fn set_volumetric(&mut self, words: Words<'_>) {
+        let (diameter, switch) = (words.get(b'D'), words.get(b'S'));
+        if let Some(diameter) = diameter.filter(|diameter| *diameter > 0.0) {
+            self.filament_diameter = diameter;
+        }
+        let on = switch.or(diameter).is_some_and(|value| value > 0.0);
+        let radius = self.filament_diameter / 2.0;
+        self.volumetric = on.then_some(PI * radius * radius);
     }
 
     #[inline]
@@ -273,22 +463,56 @@ impl Machine {
             value - self.extruder
         };
         self.extruder += feed;
-        feed * self.flow_factor
+        match self.volumetric {
+            None => feed * self.flow_factor,
+            Some(section) => feed * self.flow_factor / section,
+        }
     }
 
-    fn home(&mut self, named: [bool; 3]) {
-        for (axis, named) in named.into_iter().enumerate() {
-            if named || self.settings.home_all {
-                self.position[axis] = self.settings.home[axis];
-                self.offset[axis] = 0.0;
+    fn home<'a>(&mut self, line: u64, named: [bool; 3], report: &mut impl FnMut(Event<'a>)) {
+        let homing = self.settings.homing;
+        let (speed, feature) = (self.feed, self.features.current);
+        for to in homing.strokes(self.position, named).iter() {
+            let from = std::mem::replace(&mut self.position, to);
+            if from != to {
+                let (filament, rapid, homing) = (0.0, true, true);
+                report(Event::Homing(Step {
+                    line,
+                    from,
+                    to,
+                    filament,
+                    speed,
+                    rapid,
+                    homing,
+                    feature,
+                }));
             }
+        }
+        let home = homing.homes(named);
+        for (axis, home) in home.into_iter().enumerate() {
+            if home {
+                self.offset[axis] = 0.0;
+                self.homed[axis] = true;
+            }
+        }
+        if home[2] {
+            self.hop = 0.0;
+        }
+        report(Event::Home(home));
+    }
+
+    /// M18 and M84: motors that are off lose their place. With S alone a time is set.
+    fn release(&mut self, words: Words<'_>) {
+        let all = words.letters().next().is_none();
+        for (homed, letter) in self.homed.iter_mut().zip(*b"XYZ") {
+            *homed &= !(all || words.has(letter));
         }
     }
 
     /// G92; without a word every axis reads zero.
-    fn set_position(&mut self, axes: &Axes) {
+    fn set_position(&mut self, axes: &Axes, others: bool) {
         let words = [axes.x, axes.y, axes.z];
-        let bare = axes.e.is_none() && words.iter().all(Option::is_none);
+        let bare = !others && axes.e.is_none() && words.iter().all(Option::is_none);
         for (axis, word) in words.into_iter().enumerate() {
             if let Some(value) = if bare { Some(0.0) } else { word } {
                 self.offset[axis] = self.position[axis] - value * self.mm_per_unit;
@@ -298,36 +522,6 @@ impl Machine {
             self.extruder = value * self.mm_per_unit;
         }
     }
-
-    fn comment<'a>(&mut self, text: &[u8], report: &mut impl FnMut(Event<'a>)) {
-        if let Some(label) = text.strip_prefix(b"TYPE:") {
-            self.feature = self.feature_of(label);
-        } else if text.starts_with(b"LAYER_CHANGE") || is_layer_number(text) {
-            report(Event::Layer);
-        } else if let Some(height) = text.strip_prefix(b"Z:")
-            && let Some((height, _)) = decimal(height.trim_ascii())
-        {
-            report(Event::LayerHeight(height));
-        }
-    }
-
-    fn feature_of(&mut self, label: &[u8]) -> u16 {
-        let label = String::from_utf8_lossy(label.trim_ascii()).to_lowercase();
-        let known = self.features.iter().position(|name| *name == label);
-        let index = known.unwrap_or_else(|| {
-            if self.features.len() == MAX_FEATURES {
-                return 0;
-            }
-            self.features.push(label);
-            self.features.len() - 1
-        });
-        u16::try_from(index).unwrap_or(0)
-    }
-}
-
-fn is_layer_number(text: &[u8]) -> bool {
-    text.strip_prefix(b"LAYER:")
-        .is_some_and(|rest| rest.trim_ascii().iter().all(|b| b.is_ascii_digit() || *b == b'-'))
 }
 
 /// Only a positive percentage changes a factor.

@@ -2,11 +2,17 @@
 
 pub mod arc;
 pub mod command;
+pub mod event;
+pub mod extrusion;
+mod features;
 pub mod fixed;
+pub mod homing;
 pub mod lines;
 pub mod machine;
 pub mod number;
 mod plain;
 pub mod progress;
 pub mod reader;
+pub mod retraction;
 pub mod template;
+pub mod vocabulary;

@@ -27,9 +27,9 @@ pub(super) fn plain_move(text: &[u8]) -> Option<(Command<'_>, usize)> {
         at += 1 + length;
         match text.get(at)? {
             b' ' => at += 1,
-            b'\n' => return Some((Command::Linear { rapid, axes }, at + 1)),
+            b'\n' => return Some((Command::Linear { rapid, axes, other: None }, at + 1)),
             b'\r' if text.get(at + 1) == Some(&b'\n') => {
-                return Some((Command::Linear { rapid, axes }, at + 2));
+                return Some((Command::Linear { rapid, axes, other: None }, at + 2));
             }
             _ => return None,
         }

@@ -1,11 +1,13 @@
 //! G-code text to [`Command`]s: one pass over the bytes, nothing copied.
 //!
 //! Letters in any case, blanks optional, `N123` and `*77` accepted and ignored, comments after `;`
-//! and in parentheses, LF or CRLF. Where firmwares agree on an odd spelling it is read as they do:
+//! and in parentheses, LF or CRLF, or CR alone throughout. Where firmwares agree on an odd spelling it is read as they do:
 //! `X1E3` is `X1 E3`, the last of two equal words wins. A line that they would refuse (a word
-//! without a number, a number beyond ±10⁹, an arc without a centre) is [`Command::Garbage`], never half executed.
+//! without a number, a number beyond ±10⁹, an arc without a centre) is [`Command::Garbage`], never
+//! half executed; so is one with a CR inside, since to some firmwares a line ends there.
 
 use std::io::Read;
+use std::ops::ControlFlow;
 
 use memchr::{memchr, memrchr};
 
@@ -24,19 +26,25 @@ const BOM: &[u8] = b"\xef\xbb\xbf";
 pub struct Commands<'a> {
     rest: &'a [u8],
     line: u64,
+    newline: u8,
 }
 
 impl<'a> Commands<'a> {
     /// The commands of a whole text.
     #[must_use]
     pub fn new(text: &'a [u8]) -> Self {
-        Self::after(text.strip_prefix(BOM).unwrap_or(text), 0)
+        Self::after(text.strip_prefix(BOM).unwrap_or(text), 0, newline_of(text))
     }
 
     /// The commands of a part of a text that follows `lines` complete lines.
-    fn after(rest: &'a [u8], lines: u64) -> Self {
-        Self { rest, line: lines }
+    fn after(rest: &'a [u8], lines: u64, newline: u8) -> Self {
+        Self { rest, line: lines, newline }
     }
+}
+
+/// What ends the lines of a text: CR where there is no LF, as old programs wrote.
+fn newline_of(text: &[u8]) -> u8 {
+    if memchr(b'\n', text).is_none() && memchr(b'\r', text).is_some() { b'\r' } else { b'\n' }
 }
 
 impl<'a> Iterator for Commands<'a> {
@@ -50,7 +58,7 @@ impl<'a> Iterator for Commands<'a> {
                 self.rest = &self.rest[length..];
                 return Some((self.line, command));
             }
-            let end = memchr(b'\n', self.rest);
+            let end = memchr(self.newline, self.rest);
             let (line, rest) = match end {
                 Some(end) => (&self.rest[..end], &self.rest[end + 1..]),
                 None => (self.rest, &[][..]),
@@ -64,25 +72,32 @@ impl<'a> Iterator for Commands<'a> {
     }
 }
 
-/// Reads a text of any length in constant memory and hands over each command with its line number.
+/// Reads a text of any length in constant memory and hands over each command with its line number,
+/// until `visit` breaks off.
 ///
 /// # Errors
-/// Those of `source` and of `visit`.
+/// Those of `source`.
 pub fn stream(
     mut source: impl Read,
-    mut visit: impl FnMut(u64, &Command<'_>) -> Result<()>,
+    mut visit: impl FnMut(u64, &Command<'_>) -> ControlFlow<()>,
 ) -> Result<()> {
     let mut buffer = vec![0; CHUNK];
     let (mut filled, mut lines) = (0, 0);
     let mut skipping = false;
+    let mut newline = None;
     loop {
         let read = source.read(&mut buffer[filled..])?;
         let at_end = read == 0;
         filled += read;
         let text = &buffer[..filled];
-        let complete = if at_end { filled } else { memrchr(b'\n', text).map_or(0, |at| at + 1) };
+        // The first chunk tells, or as much of it as a slow source has sent up to its first newline.
+        let found = memchr(b'\n', text).map(|_| b'\n');
+        let full = at_end || filled == CHUNK;
+        newline = newline.or(found).or_else(|| full.then(|| newline_of(text)));
+        let Some(newline) = newline else { continue };
+        let complete = if at_end { filled } else { memrchr(newline, text).map_or(0, |at| at + 1) };
         let mut ready = &text[..complete];
-        if skipping && let Some(end) = memchr(b'\n', ready) {
+        if skipping && let Some(end) = memchr(newline, ready) {
             ready = &ready[end + 1..];
             skipping = false;
         }
@@ -90,9 +105,11 @@ pub fn stream(
             filled = 0;
         } else {
             let start = if lines == 0 { ready.strip_prefix(BOM).unwrap_or(ready) } else { ready };
-            let mut commands = Commands::after(start, lines);
+            let mut commands = Commands::after(start, lines, newline);
             for (line, command) in &mut commands {
-                visit(line, &command)?;
+                if visit(line, &command).is_break() {
+                    return Ok(());
+                }
             }
             lines = commands.line;
             buffer.copy_within(complete..filled, 0);
@@ -100,7 +117,9 @@ pub fn stream(
         }
         if filled == CHUNK {
             lines += 1;
-            visit(lines, &Command::Garbage(&buffer))?;
+            if visit(lines, &Command::Garbage(&buffer)).is_break() {
+                return Ok(());
+            }
             filled = 0;
             skipping = true;
         }
@@ -114,7 +133,11 @@ pub fn stream(
 #[inline]
 #[must_use]
 pub fn parse_line(line: &[u8]) -> Option<Command<'_>> {
-    let mut cursor = Cursor { rest: line };
+    let line = line.strip_suffix(b"\r").unwrap_or(line);
+    if memchr(b'\r', line).is_some() {
+        return Some(Command::Garbage(line));
+    }
+    let mut cursor = Cursor { rest: line, parentheses: false };
     let Some(mut letter) = cursor.next_letter() else {
         return cursor.without_words(line);
     };
@@ -128,7 +151,7 @@ pub fn parse_line(line: &[u8]) -> Option<Command<'_>> {
     let command = match letter {
         b'G' => cursor.g_code(),
         b'M' => cursor.m_code(),
-        b'T' => cursor.code().map(Command::Tool),
+        b'T' => cursor.code().and_then(|code| code.whole()).map(Command::Tool),
         _ => None,
     };
     Some(command.or_else(|| cursor.named(line)).unwrap_or(Command::Garbage(line)))
@@ -137,6 +160,22 @@ pub fn parse_line(line: &[u8]) -> Option<Command<'_>> {
 /// What remains of a line.
 struct Cursor<'a> {
     rest: &'a [u8],
+    /// Whether a comment in parentheses was stepped over.
+    parentheses: bool,
+}
+
+/// The number of a code, and how it is written.
+struct Code<'a> {
+    number: u32,
+    /// With a decimal, as `92.1` of `G92.1`.
+    decimal: Option<&'a [u8]>,
+}
+
+impl Code<'_> {
+    /// The number, where it has no decimal.
+    fn whole(&self) -> Option<u32> {
+        self.decimal.is_none().then_some(self.number)
+    }
 }
 
 impl<'a> Cursor<'a> {
@@ -146,8 +185,9 @@ impl<'a> Cursor<'a> {
         loop {
             let (&first, tail) = self.rest.split_first()?;
             match first {
-                b' ' | b'\t' | b'\r' => self.rest = tail,
+                b' ' | b'\t' => self.rest = tail,
                 b'(' => {
+                    self.parentheses = true;
                     self.rest = memchr(b')', tail).map_or(&[][..], |end| &tail[end + 1..]);
                 }
                 _ => {
@@ -179,12 +219,18 @@ impl<'a> Cursor<'a> {
         matches!(self.rest.first(), None | Some(b';' | b'*'))
     }
 
-    /// The number of a G-, M- or T-code; decimals are dropped.
+    /// The number of a G-, M- or T-code. `G1.0` is `G1`, but `G92.1` is a code of its own.
     #[inline]
-    fn code(&mut self) -> Option<u32> {
+    fn code(&mut self) -> Option<Code<'a>> {
+        let text = self.rest.trim_ascii_start();
         let value = self.number()?;
+        if !(0.0..=LARGEST).contains(&value) {
+            return None;
+        }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
-        (0.0..=LARGEST).contains(&value).then_some(value as u32)
+        let number = value as u32;
+        let decimal = (f64::from(number) != value).then(|| &text[..text.len() - self.rest.len()]);
+        Some(Code { number, decimal })
     }
 
     /// A line that holds no letter: blank, a comment, or garbage.
@@ -199,29 +245,38 @@ impl<'a> Cursor<'a> {
     #[inline]
     fn g_code(&mut self) -> Option<Command<'a>> {
         let code = self.code()?;
-        Some(match code {
-            0 | 1 => Command::Linear { rapid: code == 0, axes: self.axes()? },
-            2 | 3 => {
-                let (axes, centre) = self.arc()?;
-                Command::Arc { clockwise: code == 2, axes, centre }
+        if let Some(text) = code.decimal {
+            return Some(Command::Sub(b'G', text, self.words()));
+        }
+        Some(match code.number {
+            number @ (0 | 1) => {
+                let (axes, other) = self.axes()?;
+                Command::Linear { rapid: number == 0, axes, other }
             }
+            number @ (2 | 3) => self.arc(number == 2)?,
             4 => self.dwell()?,
             17 => Command::ArcPlane(Plane::Xy),
             18 => Command::ArcPlane(Plane::Xz),
             19 => Command::ArcPlane(Plane::Yz),
-            20 | 21 => Command::Units { inches: code == 20 },
+            number @ (20 | 21) => Command::Units { inches: number == 20 },
             28 => self.home(),
-            90 | 91 => Command::Positioning { relative: code == 91 },
-            92 => Command::SetPosition(self.axes()?),
-            _ => Command::G(code, self.words()),
+            number @ (90 | 91) => Command::Positioning { relative: number == 91 },
+            92 => {
+                let (axes, other) = self.axes()?;
+                Command::SetPosition { axes, other }
+            }
+            number => Command::G(number, self.words()),
         })
     }
 
     fn m_code(&mut self) -> Option<Command<'a>> {
         let code = self.code()?;
-        Some(match code {
-            82 | 83 => Command::Extrusion { relative: code == 83 },
-            _ => Command::M(code, self.words()),
+        if let Some(text) = code.decimal {
+            return Some(Command::Sub(b'M', text, self.words()));
+        }
+        Some(match code.number {
+            number @ (82 | 83) => Command::Extrusion { relative: number == 83 },
+            number => Command::M(number, self.words()),
         })
     }
 
@@ -238,24 +293,36 @@ impl<'a> Cursor<'a> {
         self.at_end().then_some(())
     }
 
+    /// The words of a move, and the first that is none of them.
     #[inline]
-    fn axes(&mut self) -> Option<Axes> {
+    fn axes(&mut self) -> Option<(Axes, Option<u8>)> {
         let mut axes = Axes::default();
-        self.each_word(|letter, value| _ = axes.set(letter, value))?;
-        Some(axes)
+        let mut other = None;
+        self.each_word(|letter, value| {
+            if !axes.set(letter, value) {
+                other = other.or(Some(letter));
+            }
+        })?;
+        Some((axes, self.other(other)))
+    }
+
+    fn other(&self, word: Option<u8>) -> Option<u8> {
+        word.or(self.parentheses.then_some(b'('))
     }
 
     /// An arc; without a centre it is none.
-    fn arc(&mut self) -> Option<(Axes, Centre)> {
-        let (mut axes, mut centre) = (Axes::default(), Centre::default());
+    fn arc(&mut self, clockwise: bool) -> Option<Command<'a>> {
+        let (mut axes, mut centre, mut other) = (Axes::default(), Centre::default(), None);
         self.each_word(|letter, value| match letter {
             b'I' => centre.i = Some(value),
             b'J' => centre.j = Some(value),
             b'K' => centre.k = Some(value),
             b'R' => centre.r = Some(value),
-            _ => _ = axes.set(letter, value),
+            _ if axes.set(letter, value) => {}
+            _ => other = other.or(Some(letter)),
         })?;
-        (centre != Centre::default()).then_some((axes, centre))
+        let other = self.other(other);
+        (centre != Centre::default()).then_some(Command::Arc { clockwise, axes, centre, other })
     }
 
     fn dwell(&mut self) -> Option<Command<'a>> {
@@ -270,20 +337,21 @@ impl<'a> Cursor<'a> {
 
     /// G28, whose axis words need no number.
     fn home(&mut self) -> Command<'a> {
-        let (mut x, mut y, mut z) = (false, false, false);
+        let (mut x, mut y, mut z, mut if_needed) = (false, false, false, false);
         while let Some(letter) = self.next_letter() {
             self.number();
             x |= letter == b'X';
             y |= letter == b'Y';
             z |= letter == b'Z';
+            if_needed |= letter == b'O';
         }
         let all = !(x || y || z);
-        Command::Home { x: x || all, y: y || all, z: z || all }
+        Command::Home { x: x || all, y: y || all, z: z || all, if_needed }
     }
 
     /// The rest of the line up to a comment or checksum.
     fn words(&mut self) -> Words<'a> {
-        let end = self.rest.iter().position(|b| matches!(b, b';' | b'*' | b'(' | b'\r'));
+        let end = self.rest.iter().position(|b| matches!(b, b';' | b'*' | b'('));
         Words(&self.rest[..end.unwrap_or(self.rest.len())])
     }
 

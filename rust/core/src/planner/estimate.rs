@@ -1,7 +1,8 @@
 //! From text to time: reader, machine, planner and tally in one pass.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{Read, Seek};
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use rayon::prelude::*;
@@ -12,7 +13,9 @@ use super::marlin::{Junction, Marlin};
 use super::tally::{Feed, Layer, Moves, Tally};
 use crate::error::{CoreError, Result};
 use crate::gcode::command::{Command, Words};
-use crate::gcode::machine::{Event, Machine, Step};
+use crate::gcode::event::{Event, Step};
+use crate::gcode::extrusion::ImpliedMode;
+use crate::gcode::machine::Machine;
 use crate::gcode::reader::stream;
 
 /// Time for what G-code only commands but does not describe, s.
@@ -24,6 +27,8 @@ pub struct Allowances {
     pub nozzle_heating_s: f64,
     /// For each M190 to a higher temperature than the last.
     pub bed_heating_s: f64,
+    /// For each change of tool, and each M600.
+    pub tool_change_s: f64,
 }
 
 /// How to estimate.
@@ -50,6 +55,10 @@ pub struct Estimate {
     pub homing_s: f64,
     /// Allowed for heating, s.
     pub heating_s: f64,
+    /// Allowed for changes of tool or filament, s.
+    pub tool_change_s: f64,
+    /// Number of these changes.
+    pub tool_changes: u64,
     /// Time by feature, s: `travel`, `retract`, `dwell`, then `;TYPE:` labels in small letters in
     /// the order of the file, `other` for strands without; adds up to moving and dwelling.
     pub by_feature: Vec<(String, f64)>,
@@ -61,6 +70,8 @@ pub struct Estimate {
     pub moves: u64,
     /// Lines that no firmware would execute.
     pub garbage_lines: u64,
+    /// Whether E was taken as relative though the file does not say so, since it runs backwards.
+    pub relative_assumed: bool,
     /// One row for each move, where asked for.
     pub per_move: Option<Moves>,
 }
@@ -69,27 +80,24 @@ impl Estimate {
     /// Everything: motion, dwells and allowances, s.
     #[must_use]
     pub fn total_s(&self) -> f64 {
-        self.moving_s + self.dwell_s + self.homing_s + self.heating_s
+        self.moving_s + self.dwell_s + self.homing_s + self.heating_s + self.tool_change_s
     }
 }
 
-/// Estimates G-code from any source, in memory that does not grow with its length (beyond one entry
-/// for each layer, and the rows that [`Options::per_move`] asks for).
+/// Estimates G-code in memory.
 ///
 /// # Errors
-/// [`CoreError::Setting`] for a limit out of bounds; what reading the source gives.
-pub fn estimate(source: impl Read, limits: &Limits, options: &Options) -> Result<Estimate> {
-    limits.validate()?;
-    let mut machine = Machine::new(limits.machine_settings(options.firmware));
-    let mut run = Run::new(limits, options);
-    stream(source, |line, command| {
-        machine.apply(line, command, |event| run.take(line, event));
-        Ok(())
-    })?;
-    Ok(run.finish(machine.features()))
+/// [`CoreError::Setting`] for a limit out of bounds.
+pub fn estimate(text: &[u8], limits: &Limits, options: &Options) -> Result<Estimate> {
+    Pass { limits, options }.over(|| Ok(text))
 }
 
-/// Estimates files in parallel, the results in their order.
+/// Estimates files in parallel, the results in their order, in memory that does not grow with their
+/// length (beyond one entry for each layer, and the rows that [`Options::per_move`] asks for).
+///
+/// # Errors
+/// For each file: [`CoreError::Setting`] for a limit out of bounds, [`CoreError::Gcode`] where it
+/// cannot be read.
 #[must_use]
 pub fn estimate_files<P: AsRef<Path> + Sync>(
     paths: &[P],
@@ -99,9 +107,38 @@ pub fn estimate_files<P: AsRef<Path> + Sync>(
     let one = |path: &P| {
         let path = path.as_ref();
         let named = |e: std::io::Error| CoreError::Gcode(format!("{}: {e}", path.display()));
-        estimate(File::open(path).map_err(named)?, limits, options)
+        let mut file = File::open(path).map_err(named)?;
+        Pass { limits, options }.over(|| {
+            file.rewind().map_err(named)?;
+            file.try_clone().map_err(named)
+        })
     };
     paths.par_iter().map(one).collect()
+}
+
+/// What a text is estimated with.
+struct Pass<'a> {
+    limits: &'a Limits,
+    options: &'a Options,
+}
+
+impl Pass<'_> {
+    /// Estimates what `open` opens: once for the mode of E, up to where the text states it, and once
+    /// for its time.
+    fn over<R: Read>(&self, mut open: impl FnMut() -> Result<R>) -> Result<Estimate> {
+        self.limits.validate()?;
+        let mut mode = ImpliedMode::default();
+        stream(open()?, |_, command| mode.see(command))?;
+        let relative = mode.is_relative();
+        let settings = self.limits.machine_settings(self.options.firmware, relative);
+        let mut machine = Machine::new(settings);
+        let mut run = Run::new(self.limits, self.options);
+        stream(open()?, |line, command| {
+            machine.apply(line, command, |event| run.take(line, event));
+            ControlFlow::Continue(())
+        })?;
+        Ok(Estimate { relative_assumed: relative, ..run.finish(machine.features()) })
+    }
 }
 
 enum Planner {
@@ -119,6 +156,7 @@ struct Run {
     bed_temperature: f64,
     homing_s: f64,
     heating_s: f64,
+    tool_changes: u64,
     moves: u64,
     garbage_lines: u64,
 }
@@ -139,6 +177,7 @@ impl Run {
             bed_temperature: 0.0,
             homing_s: 0.0,
             heating_s: 0.0,
+            tool_changes: 0,
             moves: 0,
             garbage_lines: 0,
         }
@@ -152,13 +191,16 @@ impl Run {
                 self.stop();
                 self.tally.dwell(line, seconds);
             }
-            Event::Home => {
+            Event::Homing(_) | Event::Word(_) | Event::CoarseArc => {}
+            Event::Home(_) => {
                 self.stop();
                 self.homing_s += self.allowances.homing_s;
             }
             Event::Layer => self.tally.begin_layer(),
             Event::LayerHeight(z) => self.tally.set_layer_height(z),
-            Event::Garbage => self.garbage_lines += 1,
+            Event::Garbage(_) => self.garbage_lines += 1,
+            Event::Tool { changed: true, .. } => self.change_tool(),
+            Event::Tool { .. } => {}
             Event::Other(command) => self.command(command),
         }
     }
@@ -187,8 +229,15 @@ impl Run {
         }
     }
 
+    /// What the printer does then is a macro of its own; it takes what is allowed for it.
+    fn change_tool(&mut self) {
+        self.stop();
+        self.tool_changes += 1;
+    }
+
     fn command(&mut self, command: Command<'_>) {
         match command {
+            Command::M(600, _) => self.change_tool(),
             Command::M(400, _) => self.stop(),
             Command::M(109, words) => {
                 let seconds = self.allowances.nozzle_heating_s;
@@ -227,11 +276,14 @@ impl Run {
             travel_s: totals.travel_s,
             homing_s: self.homing_s,
             heating_s: self.heating_s,
+            tool_change_s: self.tool_changes as f64 * self.allowances.tool_change_s,
+            tool_changes: self.tool_changes,
             by_feature: totals.by_feature,
             by_layer: totals.by_layer,
             filament_mm: totals.filament_mm,
             moves: self.moves,
             garbage_lines: self.garbage_lines,
+            relative_assumed: false,
             per_move: totals.moves,
         }
     }

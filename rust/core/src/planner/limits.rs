@@ -3,7 +3,10 @@
 use glam::DVec3;
 
 use crate::error::{CoreError, Result};
+use crate::gcode::arc::Fineness;
+use crate::gcode::homing::{Homing, Way};
 use crate::gcode::machine::{Dialect, MachineSettings};
+use crate::gcode::retraction::Retraction;
 
 /// Whose planner is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -98,6 +101,8 @@ pub struct Limits {
     pub instantaneous_corner_velocity: f64,
     /// Length of the chords of an arc, mm.
     pub arc_resolution: f64,
+    /// What G10 and G11 do until a file says otherwise; `None`: the firmware's defaults.
+    pub retraction: Option<Retraction>,
     /// What only Marlin reads.
     pub marlin: MarlinLimits,
 }
@@ -172,16 +177,26 @@ impl Limits {
     }
 
     /// How a machine with these limits reads G-code.
-    pub(super) fn machine_settings(&self, firmware: Firmware) -> MachineSettings {
-        let (home, home_all) = match self.kinematics {
-            Kinematics::Delta(delta) => (DVec3::new(0.0, 0.0, delta.endstop_height), true),
-            Kinematics::Cartesian | Kinematics::CoreXy => (DVec3::ZERO, false),
+    pub(super) fn machine_settings(
+        &self,
+        firmware: Firmware,
+        relative_extrusion: bool,
+    ) -> MachineSettings {
+        let homing = match self.kinematics {
+            Kinematics::Delta(DeltaGeometry {
+                radius, arm_length: arm, endstop_height, ..
+            }) => Homing { at: DVec3::Z * endstop_height, way: Way::Delta { radius, arm } },
+            Kinematics::Cartesian | Kinematics::CoreXy => Homing::AT_ORIGIN,
         };
-        let dialect = match firmware {
-            Firmware::Klipper => Dialect::Klipper,
-            Firmware::MarlinJunctionDeviation | Firmware::MarlinJerk => Dialect::Marlin,
+        let (dialect, default) = match firmware {
+            Firmware::Klipper => (Dialect::Klipper, Retraction::KLIPPER),
+            Firmware::MarlinJunctionDeviation | Firmware::MarlinJerk => {
+                (Dialect::Marlin, Retraction::MARLIN)
+            }
         };
-        MachineSettings { dialect, arc_resolution: self.arc_resolution, home, home_all }
+        let arcs = Fineness { resolution: self.arc_resolution, sagitta: None };
+        let retraction = self.retraction.unwrap_or(default);
+        MachineSettings { dialect, arcs, homing, retraction, relative_extrusion }
     }
 }
 

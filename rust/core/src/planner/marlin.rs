@@ -11,7 +11,7 @@ use super::limits::{Kinematics, Limits, MarlinLimits, set_positive};
 use super::queue::{BATCH, MOST, Sink, Tag};
 use super::trapezoid::{duration, peak_v2};
 use crate::gcode::command::{Command, Words};
-use crate::gcode::machine::Step;
+use crate::gcode::event::Step;
 
 /// Below this displacement a move is one of the filament alone, mm.
 const STANDING_D: f64 = 1e-9;

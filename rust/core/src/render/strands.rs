@@ -4,10 +4,15 @@ use glam::DVec3;
 
 use super::scene::{Rgb, Scene, Stroke, Width};
 use crate::error::{CoreError, Result};
+use crate::gcode::arc::Fineness;
 use crate::gcode::command::Command;
-use crate::gcode::machine::{Dialect, Event, Machine, MachineSettings, Step};
+use crate::gcode::event::{Event, Step};
+use crate::gcode::extrusion;
+use crate::gcode::homing::Homing;
+use crate::gcode::machine::{Dialect, Machine, MachineSettings};
 use crate::gcode::number::decimal;
 use crate::gcode::reader::Commands;
+use crate::gcode::retraction::Retraction;
 use crate::toolpath::Toolpath;
 
 /// Filament of a file that does not state its own, mm.
@@ -18,6 +23,8 @@ const THINNEST: f64 = 0.1;
 const THICKEST: f64 = 3.0;
 /// Length of an arc's chords in a picture, mm.
 const ARC_CHORD: f64 = 0.5;
+/// By which chords may stray from an arc in a picture, mm: less than a pixel.
+const ARC_SAGITTA: f64 = 0.01;
 /// Width of a travel, pixels.
 const TRAVEL_PX: f64 = 1.0;
 
@@ -47,9 +54,10 @@ impl Strands {
         // The dialects differ in dwells and in G90's effect on E, which files restate by M82/M83.
         let settings = MachineSettings {
             dialect: Dialect::Marlin,
-            arc_resolution: ARC_CHORD,
-            home: DVec3::ZERO,
-            home_all: false,
+            arcs: Fineness { resolution: ARC_CHORD, sagitta: Some(ARC_SAGITTA) },
+            homing: Homing::AT_ORIGIN,
+            retraction: Retraction::MARLIN,
+            relative_extrusion: extrusion::is_relative(text),
         };
         let mut machine = Machine::new(settings);
         let mut strands = Self::default();

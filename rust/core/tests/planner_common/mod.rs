@@ -20,6 +20,7 @@ pub const LIMITS: Limits = Limits {
     max_extrude_only_accel: 1500.0,
     instantaneous_corner_velocity: 1.0,
     arc_resolution: 1.0,
+    retraction: None,
     marlin: MarlinLimits {
         max_velocity: [300.0, 300.0, 12.0, 120.0],
         max_accel: [1500.0, 1500.0, 100.0, 10_000.0],
@@ -37,7 +38,12 @@ pub const KLIPPER: Options = options(Firmware::Klipper);
 pub const fn options(firmware: Firmware) -> Options {
     Options {
         firmware,
-        allowances: Allowances { homing_s: 0.0, nozzle_heating_s: 0.0, bed_heating_s: 0.0 },
+        allowances: Allowances {
+            homing_s: 0.0,
+            nozzle_heating_s: 0.0,
+            bed_heating_s: 0.0,
+            tool_change_s: 0.0,
+        },
         per_move: false,
     }
 }

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::gcode::machine::Step;
+use crate::gcode::event::Step;
 use crate::planner::limits::Limits;
 use crate::planner::queue::{BATCH, Tag};
 use crate::planner::trapezoid::{greater, lesser};

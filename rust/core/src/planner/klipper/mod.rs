@@ -14,7 +14,7 @@ use super::limits::{Kinematics, Limits, set_positive};
 use super::queue::{BATCH, MOST, Sink, Tag};
 use super::trapezoid::{duration, lesser};
 use crate::gcode::command::Command;
-use crate::gcode::machine::Step;
+use crate::gcode::event::Step;
 
 /// Ratio of a delta's carriage speed to the head's beyond which it is slowed, and the share left.
 const TAPERS: [(f64, f64); 2] = [(3.0, 0.5), (6.0, 0.25)];

@@ -1,0 +1,61 @@
+"""What a G-code file of another program says of itself: for which printer it is, and how long."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+#: Where slicers write the printer's name: PrusaSlicer and its kin; Cura.
+_PRINTER: Final = re.compile(
+    rb"^;[ \t]*(?:printer_model|printer_settings_id|TARGET_MACHINE\.NAME)[ \t]*[=:][ \t]*(.+?)\s*$",
+    re.MULTILINE,
+)
+#: Where they write their own estimate: PrusaSlicer, OrcaSlicer; Bambu Studio; Cura, in seconds.
+_TIMES: Final = (
+    re.compile(rb"^; estimated printing time \(normal mode\) = ([\d dhms]+)$", re.MULTILINE),
+    re.compile(rb"^;.*total estimated time: ([\d dhms]+)$", re.MULTILINE),
+    re.compile(rb"^;TIME:(\d+(?:\.\d+)?)\s*$", re.MULTILINE),
+)
+_UNITS_S: Final = {b"d": 86400, b"h": 3600, b"m": 60, b"s": 1}
+
+
+def printers_named_in(text: bytes) -> list[str]:
+    """Return the printers that a file says it is for, as it writes them."""
+    names = [match[1].decode("utf-8", "replace").strip('"') for match in _PRINTER.finditer(text)]
+    return list(dict.fromkeys(names))
+
+
+def known_printer(text: bytes) -> tuple[str, str] | None:
+    """Return the profile of the printer that a file names, and that name; None if unknown."""
+    wanted = {_plain(name): name for name in printers_named_in(text)}
+    if not wanted:
+        return None
+    from wireprint import catalogue
+    from wireprint.settings import Settings
+
+    for profile in catalogue.names("printers"):
+        aliases = Settings.load(profile).printer.known_as
+        for alias in (profile, *aliases):
+            if (written := wanted.get(_plain(alias))) is not None:
+                return profile, written
+    return None
+
+
+def stated_time_s(text: bytes) -> float | None:
+    """Return how long the program that wrote a file thinks it takes, s; None if it does not say."""
+    for pattern in _TIMES:
+        if match := pattern.search(text):
+            return _seconds(match[1])
+    return None
+
+
+def _seconds(text: bytes) -> float:
+    parts = re.findall(rb"(\d+)\s*([dhms])", text)
+    if not parts:
+        return float(text)
+    return float(sum(int(number) * _UNITS_S[unit] for number, unit in parts))
+
+
+def _plain(name: str) -> str:
+    """Write a name so that spelling does not matter: ``Voron 2.4`` as ``voron24``."""
+    return re.sub(r"[^a-z0-9]", "", name.lower())

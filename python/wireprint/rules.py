@@ -1,0 +1,206 @@
+"""What a G-code file is judged by: the head, the limits and the firmware of a printer."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Final
+
+from wireprint import catalogue, limits
+from wireprint.gcode.source import TEXT
+from wireprint.naming import named
+
+if TYPE_CHECKING:
+    from wireprint import _core
+    from wireprint.settings import Head, Printer, Settings
+
+#: Most filament that one command may move in place, mm: Klipper's default
+#: max_extrude_only_distance, and Marlin's EXTRUDE_MAXLENGTH.
+FILAMENT_ONLY_MM: Final = {"klipper": 50.0, "marlin": 200.0}
+#: Below this nothing is extruded, °C: Klipper's default min_extrude_temp, Marlin's EXTRUDE_MINTEMP.
+EXTRUDES_C: Final = 170.0
+#: Share of the time in which a strand sets that the head stays at a free end, at least. What sets
+#: it is estimated; a quarter leaves room for everything but a dwell that was forgotten.
+SETTLED: Final = 0.25
+#: So slow a stroke needs no dwell, mm/s: twice CuraEngine's speed for wire prints, which has none.
+SLOW_MM_S: Final = 10.0
+
+#: A head that reaches no less than another: which of two figures, of those that make its shape.
+_LARGER: Final = {
+    "tip_radius_mm": max,
+    "slant_deg": min,
+    "cone_height_mm": min,
+    "block_radius_mm": max,
+    "carriage_height_mm": min,
+    "carriage_radius_mm": max,
+}
+
+
+@dataclass(frozen=True)
+class Judge:
+    """The settings that a text is judged by, and why these."""
+
+    settings: Settings
+    #: Why: ``as named``, ``as the file says``, ``by default``.
+    why: str
+    #: What was changed in them, in sentences.
+    remarks: tuple[str, ...] = field(default=())
+
+
+def judge_of(text: bytes, printer: str | Settings | None, name: str = TEXT) -> Judge:
+    """Return what to judge a text by: the settings given, those in the text, or the default.
+
+    A text cannot bring a head smaller than that of the printer that it names, nor other macros or
+    another way home: whoever has such a printer names it by himself.
+
+    Raises
+    ------
+    GcodeError
+        The settings in the text are damaged; `name` stands for it.
+    SettingError
+        There is no such profile.
+    """
+    from wireprint.gcode.own_settings import settings_in
+    from wireprint.settings import Settings
+
+    if printer is not None:
+        chosen = Settings.load(printer) if isinstance(printer, str) else printer
+        return Judge(chosen, "as named")
+    with named(None if name == TEXT else name):
+        own = settings_in(text)
+    if own is None:
+        return Judge(Settings.load(), "by default: the file does not say for which it is")
+    if own.printer.name not in catalogue.names("printers"):
+        return Judge(own, "as the file says")
+    known = Settings.load(own.printer.name).printer
+    head, smaller = _union(own.printer.head, known.head)
+    gcode = own.printer.gcode.model_copy(update={"macros": known.gcode.macros})
+    changed = {"head": head, "homing": known.homing, "gcode": gcode}
+    judged = own.model_copy(update={"printer": own.printer.model_copy(update=changed)})
+    remarks: tuple[str, ...] = ()
+    if smaller:
+        remarks = (
+            f"the file's own settings make the head smaller than that of {known.name} "
+            f"({', '.join(smaller)}), whose head it is judged by; --printer names another",
+        )
+    return Judge(judged, "as the file says", remarks)
+
+
+def settings_for(text: bytes, printer: str | Settings | None) -> Settings:
+    """Return the settings to judge a text by; see `judge_of`."""
+    return judge_of(text, printer).settings
+
+
+def _union(own: Head, known: Head) -> tuple[Head, list[str]]:
+    """Return a head that reaches as far as both, and where the first one reaches less."""
+    figures = {
+        key: larger(getattr(own, key), getattr(known, key)) for key, larger in _LARGER.items()
+    }
+    smaller = [
+        f"head.{key} {getattr(own, key):g}, not {figure:g}"
+        for key, figure in figures.items()
+        if getattr(own, key) != figure
+    ]
+    return own.model_copy(update=figures), smaller
+
+
+def faults_of(head: Head) -> tuple[str, ...]:
+    """Return what no head can be, in sentences."""
+    flank_mm = _flank_mm(head)
+    if head.block_radius_mm >= flank_mm:
+        return ()
+    return (
+        f"head.block_radius_mm ({head.block_radius_mm:g}) ends inside the flank, which reaches "
+        f"{flank_mm:.2f} mm where the block begins; judged as if the block reached so far",
+    )
+
+
+def _flank_mm(head: Head) -> float:
+    """Radius of the flank at the height at which the block begins, mm."""
+    slope = math.tan(math.radians(head.slant_deg))
+    return head.tip_radius_mm + head.cone_height_mm / slope
+
+
+def rules_of(settings: Settings) -> dict[str, Any]:
+    """Return what the core judges by: lengths in mm, speeds in mm/s, times in s.
+
+    A strand is as thick as the nozzle is wide. It lies on the bed where the tip is at most one
+    strand above it.
+    """
+    printer, wire, material = settings.printer, settings.wire, settings.material
+    head, extruder = printer.head, printer.extruder
+    width, depth = printer.bed.size_mm
+    firmware = "klipper" if limits.firmware_of(printer) == "klipper" else "marlin"
+    # A little more than the flank, so that rounding does not matter.
+    block_mm = max(head.block_radius_mm, _flank_mm(head) * (1 + 1e-9))
+    shape = head.model_dump() | {
+        "block_radius_mm": block_mm,
+        "carriage_radius_mm": max(head.carriage_radius_mm, block_mm),
+    }
+    air_mm_s = getattr(printer.cooling.air_mm_s, printer.cooling.method)
+    return {
+        "head": shape,
+        "strand_mm": head.nozzle_mm,
+        "bed_contact_mm": head.nozzle_mm,
+        "span_limit_mm": wire.span_limit_mm,
+        "free_end_limit_mm": wire.free_end_limit_mm,
+        "bed_centre_mm": printer.bed.centre_mm,
+        "bed_half_mm": (width / 2, depth / 2),
+        "bed_round": printer.bed.shape == "round",
+        "height_mm": printer.bed.height_mm,
+        "max_feed_mm_s": printer.motion.max_velocity,
+        "max_flow_mm3_s": extruder.max_flow_mm3_s,
+        "max_filament_only_mm": FILAMENT_ONLY_MM[firmware],
+        "filament_area_mm2": math.pi / 4 * extruder.filament_diameter_mm**2,
+        "settle_s": SETTLED * material.solidify_s(head.nozzle_mm, air_mm_s),
+        "slow_mm_s": SLOW_MM_S,
+        "coldest_c": min(EXTRUDES_C, material.nozzle_c),
+        "klipper": firmware == "klipper",
+        "arc_resolution_mm": printer.motion.arc_resolution,
+        "homing": _homing(printer),
+        "retraction": limits.retraction_of(extruder),
+        "macros": [(macro.name, macro.gcode) for macro in printer.gcode.macros],
+    }
+
+
+def _homing(printer: Printer) -> dict[str, Any]:
+    """Return the way home: to the bed's low edge and down to the bed, unless told otherwise."""
+    motion, homing, bed = printer.motion, printer.homing, printer.bed
+    arms_mm = None
+    centre, size = bed.centre_mm, bed.size_mm
+    low = [middle - extent / 2 for middle, extent in zip(centre, size, strict=True)]
+    at_mm = [
+        low[0] if homing.x_mm is None else homing.x_mm,
+        low[1] if homing.y_mm is None else homing.y_mm,
+        bed.height_mm if homing.z_end == "top" else 0.0,
+    ]
+    if printer.kinematics == "delta":
+        arms_mm = (motion.delta_radius, motion.arm_length)
+        at_mm = [0.0, 0.0, motion.endstop_height or 0.0]
+    return {
+        "at_mm": at_mm,
+        "z_first": homing.z_end == "top",
+        "lift_mm": homing.lift_mm,
+        "place_mm": homing.z_place_mm,
+        "arms_mm": arms_mm,
+    }
+
+
+def terms_of(settings: Settings) -> _core._Terms:
+    """Return what coverage counts.
+
+    Notes
+    -----
+    Contours a slab apart lie ``slab / sin(slope)`` apart along the surface. Where that is more
+    than twice the distance that counts as covered, only caps can close it: that is what *level*
+    means, up to 45°.
+    """
+    printer, wire = settings.printer, settings.wire
+    return {
+        "within_mm": wire.coverage_within_mm,
+        "strand_mm": printer.head.nozzle_mm,
+        "level_sine": min(settings.slab_min_mm / (2 * wire.coverage_within_mm), math.sqrt(0.5)),
+        "caps": wire.caps,
+        "supports": wire.supports == "wire",
+        "span_limit_mm": wire.span_limit_mm,
+    }

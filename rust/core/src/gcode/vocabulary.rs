@@ -1,0 +1,290 @@
+//! What commands do that [`machine`](super::machine) does not carry out: the one list.
+//!
+//! Sources: marlinfw.org/meta/gcode; docs.duet3d.com, "GCode dictionary"; Repetier-Firmware,
+//! Repetier.ino; klipper3d.org/G-Codes.html; help.prusa3d.com, "Prusa firmware-specific G-code
+//! commands".
+
+use super::command::{Command, Words};
+use super::machine::Dialect;
+
+/// What a command does to the head, the bed and the frame of coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effect {
+    /// Nothing: it heats, blows, waits, reports, shows or sets a limit.
+    Harmless,
+    /// It moves the head somewhere, or learns how the bed lies: no harm before anything is printed.
+    Prepares,
+    /// It does, or may do, something that is not known here; why.
+    Unknown(&'static str),
+}
+
+/// Heaters, fans, lights, messages, waits, reports, limits, motors on and off.
+const HARMLESS_M: &[u32] = &[
+    17, 18, 20, 21, 22, 27, 29, 30, 31, 36, 42, 70, 72, 73, 74, 75, 76, 77, 78, 80, 81, 84, 85,
+    104, 105, 106, 107, 108, 109, 110, 111, 113, 114, 115, 116, 117, 118, 119, 122, 123, 140, 141,
+    143, 144, 150, 154, 155, 190, 191, 192, 200, 201, 202, 203, 204, 205, 207, 208, 210, 211, 250,
+    256, 259, 300, 301, 302, 303, 304, 305, 308, 309, 310, 355, 400, 404, 405, 406, 407, 412, 413,
+    500, 503, 504, 550, 552, 555, 562, 564, 566, 568, 569, 570, 571, 572, 573, 575, 591, 593, 710,
+    862, 900, 905, 906, 907, 908, 909, 910, 911, 912, 913, 914, 915, 916, 917, 918, 919, 950, 951,
+];
+
+/// G60 keeps a place, without going there.
+const HARMLESS_G: &[u32] = &[21, 60];
+
+/// Klipper's own commands that move nothing.
+const HARMLESS_NAMED: &[&str] = &[
+    "ECHO",
+    "EXCLUDE_OBJECT_DEFINE",
+    "EXCLUDE_OBJECT_END",
+    "EXCLUDE_OBJECT_START",
+    "GET_POSITION",
+    "GET_RETRACTION",
+    "HELP",
+    "QUERY_ENDSTOPS",
+    "QUERY_FILAMENT_SENSOR",
+    "QUERY_PROBE",
+    "RESPOND",
+    "SAVE_GCODE_STATE",
+    "SAVE_VARIABLE",
+    "SET_DISPLAY_GROUP",
+    "SET_DISPLAY_TEXT",
+    "SET_FAN_SPEED",
+    "SET_FILAMENT_SENSOR",
+    "SET_GCODE_VARIABLE",
+    "SET_HEATER_TEMPERATURE",
+    "SET_IDLE_TIMEOUT",
+    "SET_INPUT_SHAPER",
+    "SET_LED",
+    "SET_LED_TEMPLATE",
+    "SET_PIN",
+    "SET_PRESSURE_ADVANCE",
+    "SET_PRINT_STATS_INFO",
+    "SET_RETRACTION",
+    "SET_SMOOTH_TIME",
+    "SET_TEMPERATURE_FAN_TARGET",
+    "SET_TMC_CURRENT",
+    "SET_VELOCITY_LIMIT",
+    "STATUS",
+    "TEMPERATURE_WAIT",
+    "TURN_OFF_HEATERS",
+];
+
+/// They probe, level, calibrate, clean, load filament, or run a macro of the printer's.
+const PREPARES_G: &[u32] = &[12, 29, 30, 31, 32, 33, 34, 35, 76, 80, 81];
+const PREPARES_M: &[u32] = &[
+    48, 98, 280, 320, 321, 322, 323, 374, 375, 376, 401, 402, 420, 421, 557, 558, 561, 701, 702,
+    703,
+];
+
+/// They move the frame of coordinates, or how far a step goes.
+const FRAME_G: &[u32] = &[10, 51, 52, 54, 55, 56, 57, 58, 59, 68, 69];
+const FRAME_M: &[u32] = &[
+    92, 206, 218, 290, 350, 425, 428, 450, 451, 452, 453, 501, 502, 556, 563, 574, 579, 584, 585,
+    665, 666, 667, 669, 671, 851, 852,
+];
+const FRAME_NAMED: &[&str] = &[
+    "ACTIVATE_EXTRUDER",
+    "BED_TILT_CALIBRATE",
+    "RESTORE_GCODE_STATE",
+    "SET_DUAL_CARRIAGE",
+    "SET_EXTRUDER_ROTATION_DISTANCE",
+    "SET_GCODE_OFFSET",
+    "SET_KINEMATIC_POSITION",
+    "SET_SKEW",
+    "SKEW_PROFILE",
+    "SYNC_EXTRUDER_MOTION",
+    "SYNC_STEPPER_TO_EXTRUDER",
+    "Z_OFFSET_APPLY_ENDSTOP",
+    "Z_OFFSET_APPLY_PROBE",
+];
+
+/// What follows these is text, in which a letter is no word.
+const TEXT_M: &[u32] = &[20, 23, 28, 29, 30, 32, 36, 70, 72, 98, 117, 118, 550, 552, 928];
+
+const FRAME: &str = "it moves the frame of coordinates";
+const MOVES: &str = "it may move the head";
+const MACRO: &str = "what this macro does is not known once the print has begun";
+const SECOND: &str = "a second command stands in its line";
+const LEAVES_OUT: &str = "what follows may be left out";
+
+/// What a command does that the machine reports as somebody else's.
+#[must_use]
+pub fn effect(command: &Command<'_>, dialect: Dialect) -> Effect {
+    match *command {
+        Command::G(code, words) => of_g(code, words, dialect),
+        Command::M(code, words) => of_m(code, words, dialect),
+        Command::Sub(letter, code, _) => of_sub(letter, code),
+        Command::Named(name, words) => of_named(name, words),
+        Command::Units { inches: true } if dialect == Dialect::Klipper => {
+            Effect::Unknown("Klipper knows no inches")
+        }
+        Command::Units { .. } => Effect::Harmless,
+        _ => Effect::Unknown(MOVES),
+    }
+}
+
+fn of_g(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
+    // G10 P0 S210 sets a tool's temperature in RepRapFirmware.
+    let heats = code == 10 && words.letters().all(|word| b"PRS".contains(&word));
+    match code {
+        _ if has_second_command(words) && code != 53 => Effect::Unknown(SECOND),
+        53 if dialect == Dialect::Klipper => Effect::Unknown("Klipper has no G53"),
+        53 => Effect::Unknown("firmwares differ in what G53 is after G92, or without a move"),
+        _ if heats => Effect::Harmless,
+        _ if HARMLESS_G.contains(&code) => Effect::Harmless,
+        _ if PREPARES_G.contains(&code) => Effect::Prepares,
+        _ if FRAME_G.contains(&code) => Effect::Unknown(FRAME),
+        _ => Effect::Unknown(MOVES),
+    }
+}
+
+fn of_m(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
+    let chosen = |letters: &[u8]| words.letters().any(|word| letters.contains(&word));
+    match code {
+        _ if !TEXT_M.contains(&code) && has_second_command(words) => Effect::Unknown(SECOND),
+        200 if dialect == Dialect::Klipper => Effect::Unknown("Klipper has no M200"),
+        // The axes' travel, in RepRapFirmware; what M209 retracts, no G10 says.
+        209 if words.get(b'S').unwrap_or(0.0) > 0.0 => {
+            Effect::Unknown("it makes retractions of moves of E")
+        }
+        209 => Effect::Harmless,
+        486 if chosen(b"CP") => Effect::Unknown(LEAVES_OUT),
+        486 => Effect::Harmless,
+        _ if HARMLESS_M.contains(&code) => Effect::Harmless,
+        _ if PREPARES_M.contains(&code) => Effect::Prepares,
+        _ if FRAME_M.contains(&code) => Effect::Unknown(FRAME),
+        _ => Effect::Unknown(MOVES),
+    }
+}
+
+/// Codes with a decimal: Prusa's checks of printer and nozzle, and drivers' settings.
+fn of_sub(letter: u8, code: &[u8]) -> Effect {
+    let whole = code.split(|byte| *byte == b'.').next().unwrap_or_default();
+    match (letter, whole) {
+        (b'M', b"569" | b"862") => Effect::Harmless,
+        (b'G', b"29" | b"30" | b"33" | b"80") => Effect::Prepares,
+        _ => Effect::Unknown(MOVES),
+    }
+}
+
+fn of_named(name: &[u8], words: Words<'_>) -> Effect {
+    let is_one_of = |names: &[&str]| names.iter().any(|n| name.eq_ignore_ascii_case(n.as_bytes()));
+    if name.eq_ignore_ascii_case(b"EXCLUDE_OBJECT") && !words.0.trim_ascii().is_empty() {
+        Effect::Unknown(LEAVES_OUT)
+    } else if is_one_of(HARMLESS_NAMED) {
+        Effect::Harmless
+    } else if is_one_of(FRAME_NAMED) {
+        Effect::Unknown(FRAME)
+    } else {
+        Effect::Prepares
+    }
+}
+
+/// Why a command that only prepares a print is not known within one.
+#[must_use]
+pub fn within_a_print(command: &Command<'_>) -> &'static str {
+    if matches!(command, Command::Named(..)) { MACRO } else { MOVES }
+}
+
+/// Whether a G or M with a number follows, outside of quotes: a command more to some firmwares.
+fn has_second_command(words: Words<'_>) -> bool {
+    let mut quoted = false;
+    let mut letter = false;
+    words.0.iter().any(|byte| {
+        quoted ^= *byte == b'"';
+        let found = letter && byte.is_ascii_digit();
+        letter = !quoted && matches!(byte.to_ascii_uppercase(), b'G' | b'M');
+        found
+    })
+}
+
+/// What a command is called in a list: its code or name, without its words.
+#[must_use]
+pub fn name(command: &Command<'_>) -> String {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).to_uppercase();
+    match *command {
+        Command::G(code, _) => format!("G{code}"),
+        Command::M(code, _) => format!("M{code}"),
+        Command::Sub(letter, code, _) => format!("{}{}", char::from(letter), text(code)),
+        Command::Named(name, _) => text(name),
+        Command::Units { inches } => if inches { "G20" } else { "G21" }.into(),
+        Command::Tool(number) => format!("T{number}"),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gcode::reader::parse_line;
+
+    fn effect_of(line: &str, dialect: Dialect) -> Effect {
+        parse_line(line.as_bytes()).map_or(Effect::Harmless, |command| effect(&command, dialect))
+    }
+
+    #[test]
+    fn heat_fans_messages_and_waits_are_harmless() {
+        for line in [
+            "M104 S210",
+            "M109 R200",
+            "M106 S255",
+            "M117 G1 Z0 is only a text",
+            "M400",
+            "G10 P0 S210 R160",
+            "M862.3 P \"MK4S M3\"",
+            "SET_PIN PIN=air VALUE=1",
+            "exclude_object_start NAME=a",
+            "M486 S1",
+            "M209 S0",
+        ] {
+            assert_eq!(effect_of(line, Dialect::Marlin), Effect::Harmless, "{line}");
+        }
+    }
+
+    #[test]
+    fn what_prepares_a_print_is_told_from_what_never_is_judged() {
+        for line in ["G29", "G80", "M420 S1", "PRINT_START BED=60", "BED_MESH_CALIBRATE", "G29.1"] {
+            assert_eq!(effect_of(line, Dialect::Marlin), Effect::Prepares, "{line}");
+        }
+        for line in [
+            "G5 X1 Y1 P1 Q1",
+            "G10 L2 P1 Z5",
+            "G54",
+            "M206 Z-1",
+            "M290 Z-1",
+            "M600",
+            "M851 Z2",
+            "M104 S200 G1 Z0",
+            "M209 S1",
+            "M486 C",
+            "EXCLUDE_OBJECT NAME=a",
+            "SET_GCODE_OFFSET Z=-2",
+            "RESTORE_GCODE_STATE NAME=a MOVE=1",
+            "G92.1",
+            "M5000",
+        ] {
+            assert!(matches!(effect_of(line, Dialect::Marlin), Effect::Unknown(_)), "{line}");
+        }
+    }
+
+    #[test]
+    fn klipper_has_no_inches_and_no_volumes() {
+        for line in ["G20", "M200 D1.75"] {
+            assert!(matches!(effect_of(line, Dialect::Klipper), Effect::Unknown(_)), "{line}");
+            assert_eq!(effect_of(line, Dialect::Marlin), Effect::Harmless, "{line}");
+        }
+    }
+
+    #[test]
+    fn every_list_is_in_order_and_no_code_stands_in_two() {
+        let lists = [HARMLESS_M, PREPARES_M, FRAME_M];
+        for list in [HARMLESS_M, PREPARES_M, FRAME_M, HARMLESS_G, PREPARES_G, FRAME_G, TEXT_M] {
+            assert!(list.is_sorted(), "{list:?}");
+        }
+        for (i, list) in lists.iter().enumerate() {
+            let others = || lists[..i].iter().copied().flatten();
+            assert!(list.iter().all(|code| !others().any(|other| other == code)));
+        }
+        assert!(HARMLESS_NAMED.is_sorted() && FRAME_NAMED.is_sorted());
+    }
+}
