@@ -254,7 +254,8 @@ def test_a_file_that_breaks_the_rules_is_refused(cube, tmp_path, unprintable):
 def test_a_print_that_is_too_large_names_the_bed_and_how_much(cube, tmp_path):
     result = run("slice", cube, "-o", tmp_path / "cube.gcode", "--height", "200")
     assert result.exit_code == 5
-    assert "build volume of kossel-mini (170 mm across, 220 mm high) by 5" in result.stderr
+    assert "build volume of kossel-mini (170 mm across, 220 mm high)" in result.stderr
+    assert "--height 120.2" in result.stderr
     assert len(result.stderr.splitlines()) == 1
 
 

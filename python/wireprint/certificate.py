@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import _core
 from wireprint._core import GcodeError
+from wireprint.fitting import placed
 from wireprint.gcode.source import read
 from wireprint.rules import Judge, faults_of, judge_of, rules_of, terms_of
-from wireprint.stages import on_bed
 from wireprint.timing import RELATIVE_ASSUMED
 from wireprint.verdict import (
     Breach,
@@ -315,7 +315,7 @@ def _fidelity(
     deviation: bool,
 ) -> Fidelity:
     (share, area_mm2, patches), found = core.fidelity(
-        on_bed(model, settings),
+        placed(model, settings).mesh,
         settings.printer.bed.centre_mm,
         set(aside),
         set(INSIDE),

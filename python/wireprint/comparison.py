@@ -175,19 +175,21 @@ def _fast(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
 
 
 def _wire(mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
-    from wireprint.stages import on_bed, toolpath, wireframe
+    from wireprint.fitting import fitted
+    from wireprint.stages import toolpath, wireframe
 
-    return settings, toolpath(wireframe(on_bed(mesh, settings), settings), settings)
+    return settings, toolpath(wireframe(fitted(mesh, settings).mesh, settings), settings)
 
 
 def _hybrid(region: Region, mesh: Mesh, settings: Settings) -> tuple[Settings, Toolpath]:
+    from wireprint.fitting import fitted
     from wireprint.hybrid.motion import motion
     from wireprint.hybrid.prove import proved
-    from wireprint.stages import on_bed, wireframe
+    from wireprint.stages import wireframe
 
-    placed = on_bed(mesh, settings)
-    moved = region.transformed(motion(mesh, placed, (0.0, 0.0, 0.0)))
-    return settings, proved(placed, wireframe(placed, settings), moved, settings).toolpath
+    place = fitted(mesh, settings)
+    moved = region.transformed(motion(mesh, place.mesh, (0.0, 0.0, place.turn_deg)))
+    return settings, proved(place.mesh, wireframe(place.mesh, settings), moved, settings).toolpath
 
 
 #: What `wireprint.make` makes.

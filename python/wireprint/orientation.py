@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import WireprintError
 from wireprint.certificate import check
+from wireprint.fitting import fits, placed
 from wireprint.gcode import document
-from wireprint.stages import on_bed, toolpath, wireframe
+from wireprint.stages import toolpath, wireframe
 from wireprint.threads import workers
 from wireprint.timing import clock
 
@@ -162,14 +163,7 @@ def _turned(mesh: Mesh, pose: Pose) -> Mesh:
 
 def _fitted(pose: Pose, mesh: Mesh, settings: Settings) -> Pose:
     """Pass a pose over that does not fit the bed."""
-    bed = settings.printer.bed
-    turned = on_bed(_turned(mesh, pose), settings)
-    width, depth, height = turned.size_mm
-    if bed.diameter_mm is not None:
-        fits = turned.reach_mm <= bed.diameter_mm / 2
-    else:
-        fits = width <= bed.size_mm[0] and depth <= bed.size_mm[1]
-    if fits and height <= bed.height_mm:
+    if fits(placed(_turned(mesh, pose), settings).mesh, settings):
         return pose
     return replace(pose, passed_over="does not fit the bed")
 
@@ -181,7 +175,7 @@ def _judged(pose: Pose, mesh: Mesh, settings: Settings, *, wanted: bool) -> Pose
     if not wanted:
         return replace(pose, passed_over="hangs more than others")
     try:
-        turned = on_bed(_turned(mesh, pose), settings)
+        turned = placed(_turned(mesh, pose), settings).mesh
         wire = wireframe(turned, settings)
         text = document.body(toolpath(wire, settings), settings, datetime.fromtimestamp(0, UTC))
         certificate = check(text, settings, turned, deviation=False)

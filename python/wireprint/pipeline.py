@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 from wireprint import report
 from wireprint.certificate import check
 from wireprint.files import written_whole
+from wireprint.fitting import fitted, placed
 from wireprint.gcode import document
-from wireprint.stages import on_bed, toolpath, wireframe
+from wireprint.stages import toolpath, wireframe
 from wireprint.timing import Filament
 from wireprint.wholeness import is_whole, refusal
 
@@ -68,6 +69,8 @@ class WirePrint:
     timings_s: dict[str, float]
     #: How the model was turned, where that was left to us.
     orientation: Orientation | None = None
+    #: By how much it was turned about z to fit the bed, degrees.
+    turn_to_fit_deg: float = 0.0
 
     def figures(self) -> dict[str, Any]:
         """Tell what people want to know, under the keys of ``wireprint slice --json``."""
@@ -76,6 +79,7 @@ class WirePrint:
         return {
             "size_mm": self.mesh.size_mm,
             "orientation": None if self.orientation is None else self.orientation.to_dict(),
+            "turn_to_fit_deg": self.turn_to_fit_deg,
             "slices": self.wireframe.slice_count,
             "posts": self.wireframe.post_count,
             "strand_mm": moves["strand_mm"],
@@ -126,6 +130,7 @@ def make(
     compare: bool = True,
     orient: bool = False,
     partial: bool = False,
+    oversize: bool = False,
 ) -> WirePrint:
     """Turn a mesh into a wire print.
 
@@ -151,9 +156,14 @@ def make(
     partial
         Whether a print is wanted that leaves more of the surface bare than `wire.coverage_min`
         allows. Without `certify` nobody knows.
+    oversize
+        Whether a print is wanted that leaves the build volume.
 
     Raises
     ------
+    UnprintableError
+        The model does not fit the printer; the message names the largest size that does. One that
+        fits if it is turned about z is turned.
     IncompleteError
         Too much of the model would be left out, or all of it; the message names the parts, and a
         remedy that was tried.
@@ -167,7 +177,7 @@ def make(
         return other.certificate
 
     clock = clock or Clock()
-    given = placed = mesh
+    given = mesh
     orientation = None
     if orient:
         from wireprint.orientation import orient as best
@@ -175,7 +185,8 @@ def make(
         with clock.stage("orient"):
             orientation = best(mesh, settings)
         mesh = orientation.mesh
-    mesh = on_bed(mesh, settings)
+    place = placed(mesh, settings) if oversize else fitted(mesh, settings)
+    mesh = place.mesh
     with clock.stage("wireframe"):
         strands = wireframe(mesh, settings)
     regions = None
@@ -184,8 +195,8 @@ def make(
         from wireprint.hybrid.prove import proved
 
         with clock.stage("regions"):
-            rotate_deg = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
-            moved = region.transformed(motion(placed, mesh, rotate_deg))
+            x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
+            moved = region.transformed(motion(given, mesh, (x, y, z + place.turn_deg)))
             regions = proved(mesh, strands, moved, settings)
             strands = regions.wireframe
     if not strands.strand_count:
@@ -194,7 +205,8 @@ def make(
     with clock.stage("toolpath"):
         path = regions.toolpath if regions is not None else toolpath(strands, settings)
     with clock.stage("gcode"):
-        remarks = () if orientation is None else (str(orientation),)
+        remarks = [] if orientation is None else [str(orientation)]
+        remarks += [str(place)] if place.turn_deg else []
         gcode, estimate = _written(path, settings, date, remarks)
     certificate = None
     if certify:
@@ -211,6 +223,7 @@ def make(
         certificate,
         clock.timings_s,
         orientation,
+        place.turn_deg,
     )
     if certificate is not None and not partial and not is_whole(certificate, settings):
         raise refusal(certificate, made.unprinted(), settings, attempt)

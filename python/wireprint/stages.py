@@ -66,27 +66,6 @@ def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -
     )
 
 
-def on_bed(mesh: Mesh, settings: Settings) -> Mesh:
-    """Centre a mesh so that it fits a round bed, where its bounding box's centre will not do.
-
-    Parameters
-    ----------
-    mesh
-        The model, its bounding box centred at x = y = 0.
-    settings
-        Their printer's bed counts.
-
-    Returns
-    -------
-    Mesh
-        The same mesh where it fits; else moved so that the smallest circle around it is centred.
-    """
-    diameter = settings.printer.bed.diameter_mm
-    if diameter is None or mesh.reach_mm <= diameter / 2:
-        return mesh
-    return mesh.centred_in_circle()
-
-
 def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
     """Plan every move of the head.
 

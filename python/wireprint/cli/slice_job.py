@@ -74,12 +74,13 @@ class Job:
                 compare=self.compare,
                 orient=self.orient,
                 partial=self.force,
+                oversize=self.force,
             )
         except IncompleteError as error:
             forced = "\n--force writes it all the same" if error.usable else ""
             raise UnprintableError(f"{model}: {error}{forced}") from error
-        except ModelError as error:
-            raise ModelError("; ".join([f"{model}: {error}", *warnings])) from error
+        except (ModelError, UnprintableError) as error:
+            raise type(error)("; ".join([f"{model}: {error}", *warnings])) from error
         if made.certificate is not None and not made.certificate.ok:
             reason = breaches(made.certificate, settings)
             if not self.force:

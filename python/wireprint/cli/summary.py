@@ -23,6 +23,8 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
     if (turned := figures["orientation"]) is not None:
         x, y, z = turned["rotate_deg"]
         yield _row("turned", f"{x:g}, {y:g}, {z:g}° about x, y, z: {turned['why']}")
+    if figures["turn_to_fit_deg"]:
+        yield _row("turned", f"{figures['turn_to_fit_deg']:g}° about z, to fit the bed")
     yield _row("wire", f"{figures['slices']} slices, {figures['posts']} posts")
     yield _row("strand", f"{figures['strand_mm'] / 1000:.2f} m")
     yield _row("travel", f"{figures['travel_mm'] / 1000:.2f} m")

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -190,6 +190,23 @@ impl Mesh {
     /// The mesh moved sideways so that its smallest circle, seen from above, is about x = y = 0.
     fn centred_in_circle(&self, py: Python<'_>) -> Self {
         self.moved(py.detach(|| self.core.centred_in_circle()))
+    }
+
+    /// The smallest turn about z after which the mesh, seen from above, fits into a rectangle of
+    /// these sides, mm; degrees, None where there is none.
+    fn turn_into(&self, py: Python<'_>, width_mm: f64, depth_mm: f64) -> Option<f64> {
+        py.detach(|| self.core.turn_into(DVec2::new(width_mm, depth_mm))).map(f64::to_degrees)
+    }
+
+    /// The factor by which the mesh may be scaled at most to fit there, however it is turned.
+    fn scale_into(&self, py: Python<'_>, width_mm: f64, depth_mm: f64) -> f64 {
+        py.detach(|| self.core.scale_into(DVec2::new(width_mm, depth_mm)))
+    }
+
+    /// The mesh scaled to a height, mm, and set down again, centred.
+    fn scaled_to(&self, py: Python<'_>, height_mm: f64) -> PyResult<Self> {
+        let placement = placement(1.0, "z", [0.0; 3], Some(height_mm))?;
+        Ok(self.moved(detached(py, || self.core.clone().placed(&placement))?))
     }
 
     /// Poses to print it in, the given one first: angles about x, then y, then z (degrees),

@@ -2,6 +2,7 @@
 
 pub mod curve;
 pub mod disjoint_sets;
+pub mod extents;
 pub mod hatch;
 pub mod nearest_first;
 pub mod polygon;

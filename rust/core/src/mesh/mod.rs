@@ -4,6 +4,7 @@ pub mod circle;
 mod components;
 mod duplicates;
 mod fans;
+mod fit;
 mod flat;
 mod holes;
 mod indexed;
