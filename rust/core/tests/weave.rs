@@ -50,7 +50,7 @@ fn two_rings_become_one_zigzag_that_visits_both_by_turns() {
     for (outer, gap, height) in [(40.0, 3.0, 4.0), (25.0, 2.0, 5.0), (60.0, 5.0, 5.5)] {
         let (places, home) = rings(outer, gap, height);
         let p = params(height);
-        let way = weave(&places, Some(home), &p);
+        let way = weave(&places, &home, &p);
         let posts: Vec<&Place> = way.iter().map(|&i| &places[i]).collect();
         for pair in posts.windows(2) {
             assert!(leads_down(&p.strokes, &pair[0].candidate.post, &pair[1].candidate.post));
@@ -146,7 +146,7 @@ proptest! {
             .filter(|way| within(way))
             .filter_map(|way| cost(&places, &way, &home, &p))
             .min_by(f64::total_cmp);
-        let found = weave(&places, Some(home), &p);
+        let found = weave(&places, &home, &p);
         // A weave that leaves a wall to one post is none; then there is nothing to compare.
         if !found.is_empty() && within(&found) {
             let own = cost(&places, &found, &home, &p);

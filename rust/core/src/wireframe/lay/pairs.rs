@@ -125,7 +125,7 @@ pub fn woven(
     };
     let ends = [once_round(0)?, once_round(1)?];
     let p = WeaveParams { run, chord_error: 0.5 * cx.p.strand, strokes };
-    let way = weave(&places, Some((home, ends)), &p);
+    let way = weave(&places, &(home, ends), &p);
     if way.is_empty() {
         return None;
     }

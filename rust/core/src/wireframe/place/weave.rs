@@ -48,17 +48,17 @@ struct State {
 pub type Home = (f64, [Station; 2]);
 
 /// The numbers of the places of the cheapest weave, from the first place on; none where no weave
-/// has two posts on each wall. `places` ascend along the walls; those of closed walls return `home`.
+/// has two posts on each wall. `places` ascend along the walls, which return `home`.
 #[must_use]
-pub fn weave(places: &[Place], home: Option<Home>, p: &WeaveParams) -> Vec<usize> {
+pub fn weave(places: &[Place], home: &Home, p: &WeaveParams) -> Vec<usize> {
     [WIDEST * p.run, f64::INFINITY]
         .into_iter()
-        .map(|widest| cheapest(places, home.as_ref(), p, widest))
+        .map(|widest| cheapest(places, home, p, widest))
         .find(|found| !found.is_empty())
         .unwrap_or_default()
 }
 
-fn cheapest(places: &[Place], home: Option<&Home>, p: &WeaveParams, widest: f64) -> Vec<usize> {
+fn cheapest(places: &[Place], home: &Home, p: &WeaveParams, widest: f64) -> Vec<usize> {
     let mut states: Vec<State> = Vec::new();
     // The states whose last post a place is.
     let mut at: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
@@ -88,10 +88,7 @@ fn cheapest(places: &[Place], home: Option<&Home>, p: &WeaveParams, widest: f64)
     }
     let best = (0..states.len())
         .filter_map(|s| {
-            let rest = match home {
-                Some(home) => closing(places, &states[s], home, p)?,
-                None => ending(places, &states[s], p),
-            };
+            let rest = closing(places, &states[s], home, p)?;
             Some((states[s].cost + rest, s))
         })
         .min_by(|a, b| a.0.total_cmp(&b.0));
@@ -159,12 +156,4 @@ fn closing(places: &[Place], state: &State, (length, ends): &Home, p: &WeavePara
     let rest = (length - last.along) / p.run - 1.0;
     let chords = [state.last, other].map(|i| chord(&places[i], &ends[places[i].wall], p));
     Some(EVEN * rest * rest + chords[0] + chords[1])
-}
-
-/// Cost of ending an open weave after a state.
-fn ending(places: &[Place], state: &State, p: &WeaveParams) -> f64 {
-    let end = places.last().map_or(0.0, |place| place.along);
-    let rest = |i: Option<usize>| i.map_or(end, |i| end - places[i].along) / p.run;
-    let (last, other) = (rest(Some(state.last)), rest(state.other));
-    last * last + (other - 1.0).max(0.0).powi(2)
 }
