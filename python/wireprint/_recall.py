@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import os
 import zlib
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -71,16 +72,19 @@ class Recalled:
 
     def __init__(self, values: Mapping[str, Any], real: Callable[[], Any]) -> None:
         self._fields = {
-            name: self._value(name, value, real) for name, value in values["fields"].items()
+            name: self._value(value, partial(_attribute, real, name))
+            for name, value in values["fields"].items()
         }
         self._derived = {name: _tuples(value) for name, value in values["derived"].items()}
         self._real = real
 
-    @staticmethod
-    def _value(name: str, value: Any, real: Callable[[], Any]) -> Any:
+    @classmethod
+    def _value(cls, value: Any, real: Callable[[], Any]) -> Any:
         if isinstance(value, dict):
-            return Recalled(value, lambda: getattr(real(), name))
-        return _tuples(value)
+            return cls(value, real)
+        if isinstance(value, list):
+            return tuple(cls._value(one, partial(_item, real, i)) for i, one in enumerate(value))
+        return value
 
     def __getattr__(self, name: str) -> Any:
         """Return a value; where it is none, what the section itself has."""
@@ -98,10 +102,27 @@ class Recalled:
         """Return the values as `pydantic.BaseModel.model_dump` does."""
         if options:
             return cast("dict[str, Any]", self._real().model_dump(**options))
-        return {
-            name: value.model_dump() if isinstance(value, Recalled) else value
-            for name, value in self._fields.items()
-        }
+        return {name: _dumped(value) for name, value in self._fields.items()}
+
+
+def _attribute(real: Callable[[], Any], name: str) -> Any:
+    return getattr(real(), name)
+
+
+def _item(real: Callable[[], Any], place: int) -> Any:
+    return real()[place]
+
+
+def _dumped(value: Any) -> Any:
+    if isinstance(value, Recalled):
+        return value.model_dump()
+    return tuple(map(_dumped, value)) if isinstance(value, tuple) else value
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return [_plain(one) for one in value]
+    return plain(value) if hasattr(value, "model_fields_set") else value
 
 
 def plain(section: Section) -> dict[str, Any]:
@@ -118,10 +139,7 @@ def plain(section: Section) -> dict[str, Any]:
         if isinstance(value, property)
     }
     return {
-        "fields": {
-            name: plain(value) if isinstance(value, Section) else value
-            for name, value in fields.items()
-        },
+        "fields": {name: _plain(value) for name, value in fields.items()},
         "derived": derived,
     }
 

@@ -60,12 +60,14 @@ def judge_of(text: bytes, printer: str | Settings | None, name: str = TEXT) -> J
     SettingError
         There is no such profile.
     """
+    if printer is not None and not isinstance(printer, str):
+        # Settings recalled from the cache do without pydantic.
+        return Judge(printer, "as named")
     from wireprint.gcode.own_settings import settings_in
     from wireprint.settings import Settings
 
     if printer is not None:
-        chosen = Settings.load(printer) if isinstance(printer, str) else printer
-        return Judge(chosen, "as named")
+        return Judge(Settings.load(printer), "as named")
     with named(None if name == TEXT else name):
         own = settings_in(text)
     if own is None:
@@ -137,7 +139,6 @@ def rules_of(settings: Settings) -> dict[str, Any]:
         "block_radius_mm": block_mm,
         "carriage_radius_mm": max(head.carriage_radius_mm, block_mm),
     }
-    air_mm_s = getattr(printer.cooling.air_mm_s, printer.cooling.method)
     return {
         "head": shape,
         "strand_mm": head.nozzle_mm,
@@ -152,7 +153,7 @@ def rules_of(settings: Settings) -> dict[str, Any]:
         "max_flow_mm3_s": extruder.max_flow_mm3_s,
         "max_filament_only_mm": FILAMENT_ONLY_MM[firmware],
         "filament_area_mm2": math.pi / 4 * extruder.filament_diameter_mm**2,
-        "settle_s": SETTLED * material.solidify_s(head.nozzle_mm, air_mm_s),
+        "settle_s": SETTLED * settings.solidify_s,
         "slow_mm_s": SLOW_MM_S,
         "coldest_c": min(EXTRUDES_C, material.nozzle_c),
         "klipper": firmware == "klipper",

@@ -618,8 +618,11 @@ class Settings(Section):
     @property
     def pause_s(self) -> float:
         """Pause at the end of a floating stroke, s."""
-        if self.wire.pause_s is not None:
-            return self.wire.pause_s
+        return self.solidify_s if self.wire.pause_s is None else self.wire.pause_s
+
+    @property
+    def solidify_s(self) -> float:
+        """Time in which a strand cools until it holds, s; see `Material.solidify_s`."""
         cooling = self.printer.cooling
         air_mm_s: float = getattr(cooling.air_mm_s, cooling.method)
         return self.material.solidify_s(self.printer.head.nozzle_mm, air_mm_s)
