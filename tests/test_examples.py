@@ -54,12 +54,12 @@ def test_an_example_is_written_to_its_own_name(tmp_path, monkeypatch):
 
 
 def test_nothing_is_left_where_writing_fails(tmp_path):
-    target = tmp_path / "cube.stl"
-    target.mkdir()
+    (tmp_path / "taken").write_text("a file, no folder")
+    target = tmp_path / "taken" / "cube.stl"
     result = CliRunner().invoke(cli.main, ["example", "cube", "-o", str(target)])
     assert result.exit_code == 2
     assert str(target) in result.stderr
-    assert list(tmp_path.iterdir()) == [target]
+    assert list(tmp_path.iterdir()) == [tmp_path / "taken"]
 
 
 def test_the_torus_stands_upright_and_has_its_volume():

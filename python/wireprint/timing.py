@@ -311,7 +311,13 @@ class Choice:
         from wireprint.gcode.own_settings import settings_in
 
         with named(None if name == TEXT else name):
-            own = settings_in(text)
+            try:
+                own = settings_in(text)
+            except GcodeError:
+                if name != TEXT:
+                    # Once more over the whole file, which tells the line as it is counted there.
+                    settings_in(Path(name).read_bytes())
+                raise
         if own is not None:
             return self._machine(own, "as the file says")
         if self._limits is not None:

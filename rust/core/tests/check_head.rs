@@ -80,11 +80,14 @@ fn scene(random: &mut Random) -> ([DVec3; 2], [DVec3; 2]) {
 
 fn random_head(random: &mut Random) -> Head {
     let cone = random.range(1.0, 12.0);
+    let (tip, slant) = (random.range(0.1, 2.0), random.range(10.0, 80.0));
+    // A block reaches at least as far as the flank where it begins.
+    let flank = tip + cone / slant.to_radians().tan();
     Head::new(
-        random.range(0.1, 2.0),
-        random.range(10.0, 80.0),
+        tip,
+        slant,
         cone,
-        random.range(2.0, 30.0),
+        flank + random.range(0.1, 30.0),
         cone + random.range(0.0, 30.0),
         random.range(5.0, 50.0),
     )
