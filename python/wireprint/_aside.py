@@ -46,6 +46,17 @@ def replace(path: Path, content: bytes) -> None:
     OSError
         It cannot be written; then nothing has changed.
     """
+    for _ in range(_MOST_WRITERS):
+        try:
+            return _replace(path, content)
+        except FileNotFoundError:
+            # Another writer took the name before it was locked; without a folder there is none.
+            if not path.parent.is_dir():
+                raise
+    raise _crowded(path)
+
+
+def _replace(path: Path, content: bytes) -> None:
     older = path.stat() if path.exists() else None
     handle, name = _opened(path)
     try:

@@ -10,7 +10,7 @@ use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe::place::posts::{Candidate, Post, candidates, leads_down};
 use wireprint_core::wireframe::place::rim::Rim;
 use wireprint_core::wireframe::place::tuning::{ALIGN, EVEN, TURN};
-use wireprint_core::wireframe::place::weave::{Home, Place, WeaveParams, weave};
+use wireprint_core::wireframe::place::weave::{Home, LONGEST_WAIT, Place, WeaveParams, weave};
 
 fn head() -> Head {
     Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 40.0).unwrap()
@@ -136,7 +136,17 @@ proptest! {
         let widest = 2.2 * p.run;
         let count = places.len() - 1;
         let within = |way: &[usize]| {
-            way.windows(2).all(|w| places[w[1]].along - places[w[0]].along <= widest)
+            let strokes = way.windows(2).all(|w| places[w[1]].along - places[w[0]].along <= widest);
+            let waits = way.iter().enumerate().skip(1).all(|(k, &j)| {
+                let away = |i: &usize| places[*i].wall != places[j].wall;
+                let other = way[..k].iter().rev().copied().find(away);
+                let since = other.or_else(|| (0..places.len()).find(away));
+                let by = (0..j).rev().find(away);
+                since.zip(by).is_none_or(|(since, by)| {
+                    places[by].along - places[since].along <= LONGEST_WAIT * widest
+                })
+            });
+            strokes && waits
         };
         let ways = (1_u32..1 << count).map(|chosen| {
             let picked = (0..count).filter(|i| chosen >> i & 1 == 1).map(|i| i + 1);

@@ -11,8 +11,12 @@ use crate::stroke::Strokes;
 use crate::wireframe::place::posts::{Candidate, leads_down};
 use crate::wireframe::place::tuning::{ALIGN, EVEN, TURN};
 
-/// No stroke is longer than so many of the runs that are aimed at, unless nothing else is to be had.
+/// No stroke is longer than so many of the runs that are aimed at; twice as long where nothing else is
+/// to be had.
 const WIDEST: f64 = 2.2;
+/// No wall waits for its turn along more than so many of the longest strokes of its own places. That
+/// keeps the states of a place few: the work grows with the walls' length, not with its cube.
+pub const LONGEST_WAIT: f64 = 2.0;
 
 /// A place of one of the two walls.
 #[derive(Debug, Clone, Copy)]
@@ -51,7 +55,7 @@ pub type Home = (f64, [Station; 2]);
 /// has two posts on each wall. `places` ascend along the walls, which return `home`.
 #[must_use]
 pub fn weave(places: &[Place], home: &Home, p: &WeaveParams) -> Vec<usize> {
-    [WIDEST * p.run, f64::INFINITY]
+    [WIDEST * p.run, 2.0 * WIDEST * p.run]
         .into_iter()
         .map(|widest| cheapest(places, home, p, widest))
         .find(|found| !found.is_empty())
@@ -60,6 +64,8 @@ pub fn weave(places: &[Place], home: &Home, p: &WeaveParams) -> Vec<usize> {
 
 fn cheapest(places: &[Place], home: &Home, p: &WeaveParams, widest: f64) -> Vec<usize> {
     let mut states: Vec<State> = Vec::new();
+    let passed = passed(places);
+    let first = [0, 1].map(|wall| places.iter().position(|place| place.wall == wall));
     // The states whose last post a place is.
     let mut at: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
     if !places.is_empty() {
@@ -72,6 +78,12 @@ fn cheapest(places: &[Place], home: &Home, p: &WeaveParams, widest: f64) -> Vec<
                 (i + 1..places.len()).take_while(|&j| places[j].along - places[i].along <= widest);
             for j in later {
                 let Some((other, cost)) = step(places, &states[number], j, p) else { continue };
+                let since = other.or(first[1 - places[j].wall]);
+                let waits =
+                    since.zip(passed[j]).map(|(since, by)| places[by].along - places[since].along);
+                if waits.is_some_and(|along| along > LONGEST_WAIT * widest) {
+                    continue;
+                }
                 let known = at[j].iter().copied().find(|&s| states[s].other == other);
                 match known {
                     Some(s) if states[s].cost <= cost => {}
@@ -101,6 +113,16 @@ fn cheapest(places: &[Place], home: &Home, p: &WeaveParams, widest: f64) -> Vec<
     way.reverse();
     let on = |wall: usize| way.iter().filter(|&&i| places[i].wall == wall).count();
     if on(0).min(on(1)) < 2 { Vec::new() } else { way }
+}
+
+/// For each place, the last one of the other wall before it.
+fn passed(places: &[Place]) -> Vec<Option<usize>> {
+    let mut last = [None; 2];
+    let mut by = |(i, place): (usize, &Place)| {
+        last[place.wall] = Some(i);
+        last[1 - place.wall]
+    };
+    places.iter().enumerate().map(&mut by).collect()
 }
 
 /// The last post on the other wall, and the cost, once a state goes on to a place; None where that
