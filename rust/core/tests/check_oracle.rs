@@ -111,6 +111,80 @@ fn dangling_ends(moves: &[Step], rules: &Rules) -> Vec<u64> {
     (0..moves.len()).filter(|&index| dangles(index)).map(|index| moves[index].line).collect()
 }
 
+/// Where each strand's chain is at its start, mm along the chain, and which chain that is.
+fn arcs(moves: &[Step]) -> Vec<(usize, f64)> {
+    let (mut chain, mut arc) = (0, 0.0);
+    moves
+        .iter()
+        .map(|step| {
+            let here = (chain, arc);
+            if step.filament > 0.0 {
+                arc += step.from.distance(step.to);
+            } else {
+                (chain, arc) = (chain + 1, 0.0);
+            }
+            here
+        })
+        .collect()
+}
+
+/// Whether anything may hold a point of a strand: the bed, another chain that `counts`, or what the
+/// same chain laid more than three diameters before. Generous by `play` mm.
+fn may_be_held(
+    (index, along): (usize, f64),
+    counts: impl Fn(usize) -> bool,
+    moves: &[Step],
+    rules: &Rules,
+    play: f64,
+) -> bool {
+    let (step, arcs) = (&moves[index], arcs(moves));
+    let point = step.from + (step.to - step.from).normalize() * along;
+    let reach = rules.strand + play;
+    let own_arc = arcs[index].1 + along - 3.0 * rules.strand;
+    let near = |other: usize| {
+        let strand = &moves[other];
+        let length = strand.from.distance(strand.to);
+        let laid = if arcs[other].0 == arcs[index].0 { own_arc - arcs[other].1 } else { length };
+        let end = strand.from.lerp(strand.to, (laid / length).min(1.0));
+        strand.filament > 0.0
+            && laid > 0.0
+            && distance(point, &Step { to: end, ..*strand }) <= reach
+    };
+    let own = |other: usize| arcs[other].0 == arcs[index].0 && other <= index;
+    point.z <= rules.bed_contact + play
+        || (0..moves.len()).any(|other| (own(other) || counts(other)) && near(other))
+}
+
+/// Lines of the strands that end a chain where nothing at all is near.
+fn surely_dangling(moves: &[Step], rules: &Rules) -> Vec<u64> {
+    let (arcs, last) = (arcs(moves), moves.len() - 1);
+    let dangles = |&index: &usize| {
+        let (step, length) = (&moves[index], moves[index].from.distance(moves[index].to));
+        let ends = index == last || moves[index + 1].filament == 0.0;
+        let other_chain = |other: usize| arcs[other].0 != arcs[index].0;
+        step.filament > 0.0
+            && ends
+            && !may_be_held((index, length), other_chain, moves, rules, 1e-2)
+    };
+    (0..moves.len()).filter(dangles).map(|index| moves[index].line).collect()
+}
+
+/// Lengths of the strands that nothing holds anywhere, by points a twentieth of a mm apart.
+fn surely_hanging(moves: &[Step], rules: &Rules) -> Vec<f64> {
+    const APART: f64 = 0.05;
+    let hangs = |&index: &usize| {
+        let points = (moves[index].from.distance(moves[index].to) / APART).ceil();
+        let earlier = |other: usize| other < index;
+        moves[index].filament > 0.0
+            && (0..=points as usize).all(|point| {
+                let along = moves[index].from.distance(moves[index].to) * point as f64 / points;
+                !may_be_held((index, along), earlier, moves, rules, APART)
+            })
+    };
+    let length = |index: usize| moves[index].from.distance(moves[index].to);
+    (0..moves.len()).filter(hangs).map(length).collect()
+}
+
 proptest! {
     #[test]
     fn every_collision_of_a_random_print_is_found_and_nothing_else(walk in walk()) {
@@ -133,21 +207,27 @@ proptest! {
     }
 
     #[test]
-    fn an_end_dangles_only_if_no_other_chain_is_within_a_strand(walk in walk()) {
+    fn an_end_dangles_if_nothing_is_near_and_only_if_no_other_chain_is(walk in walk()) {
         let (moves, rules) = (moves(&walk), rules());
-        let expected = dangling_ends(&moves, &rules);
-        for end in certify(&moves, &[], &rules).dangling_ends {
-            prop_assert!(expected.contains(&end.line));
-        }
+        let found = certify(&moves, &[], &rules).dangling_ends;
+        let lines: Vec<_> = found.iter().map(|end| end.line).collect();
+        let (may, must) = (dangling_ends(&moves, &rules), surely_dangling(&moves, &rules));
+        prop_assert!(lines.iter().all(|line| may.contains(line)));
+        prop_assert!(must.iter().all(|line| lines.contains(line)));
     }
 
     #[test]
-    fn spans_and_free_ends_are_never_longer_than_their_chains(walk in walk()) {
-        let (moves, rules) = (moves(&walk), rules());
+    fn spans_are_as_long_as_the_strands_that_hang_and_no_longer_than_their_chains(walk in walk()) {
+        let (moves, mut rules) = (moves(&walk), rules());
+        (rules.span_limit, rules.free_end_limit) = (8.0, 8.0);
         let certificate = certify(&moves, &[], &rules);
         let strands: f64 = certificate.strands.iter().map(|[a, b]| a.distance(*b)).sum();
         let relaxed: f64 = certificate.relaxed.iter().map(|p| p.ends[0].distance(p.ends[1])).sum();
         prop_assert!(relaxed <= strands + 1e-9);
-        prop_assert!(certificate.max_span.max(certificate.max_free_end) <= strands + 1e-9);
+        let longest = certificate.max_span.max(certificate.max_free_end);
+        prop_assert!(longest <= strands + 1e-9);
+        let hanging = surely_hanging(&moves, &rules).into_iter().fold(0.0, f64::max);
+        prop_assert!(longest >= hanging - 1e-9);
+        prop_assert_eq!(certificate.spans_over.is_empty(), longest <= 8.0);
     }
 }

@@ -91,3 +91,6 @@ pub fn join(rows: Vec<Row>, along: DVec2, reach: f64) -> Vec<Vec<DVec2>> {
     done.append(&mut open);
     done
 }
+
+#[cfg(test)]
+mod tests;

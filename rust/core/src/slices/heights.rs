@@ -403,3 +403,6 @@ fn widen(levels: &mut [Level], wanted: &[Wanted], bottom: f64, reach: f64) {
         level.high = level.high.max(below);
     }
 }
+
+#[cfg(test)]
+mod tests;

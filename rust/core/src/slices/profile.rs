@@ -192,3 +192,6 @@ fn direction(v: DVec2) -> usize {
     let parts = [v.y >= steep * v.x, v.y >= v.x, steep * v.y >= v.x];
     4 * quarters + parts.into_iter().filter(|&beyond| beyond).count()
 }
+
+#[cfg(test)]
+mod tests;
