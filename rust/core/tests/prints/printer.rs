@@ -1,0 +1,105 @@
+//! Printers, and a mesh as a print of theirs.
+
+use wireprint_core::head::Head;
+use wireprint_core::mesh::Mesh;
+use wireprint_core::slices::heights::HeightParams;
+use wireprint_core::strand::Kind;
+use wireprint_core::stroke::Strokes;
+use wireprint_core::wireframe::build::build;
+use wireprint_core::wireframe::frame::Wireframe;
+use wireprint_core::wireframe::params::{Pattern, WireParams};
+use wireprint_core::wireframe::place::zigzag::Placement;
+use wireprint_core::wireframe::plan::sliced::{Sliced, slice_model};
+use wireprint_core::wireframe::regions::layered::Layered;
+
+/// A printer with its wire.
+#[derive(Debug, Clone, Copy)]
+pub struct Printer {
+    pub head: Head,
+    pub heights: HeightParams,
+    pub wire: WireParams,
+}
+
+impl Printer {
+    /// A printer whose strand, tip and heights are `scale` times those of the paper's, which has a
+    /// flank of 32°.
+    pub fn new(scale: f64, slant_deg: f64) -> Self {
+        let strand = 0.7 * scale;
+        let head = Head::new(
+            0.5 * scale,
+            slant_deg,
+            6.0 * scale,
+            20.0 * scale,
+            30.0 * scale,
+            60.0 * scale,
+        );
+        let head = head.unwrap();
+        let heights = HeightParams {
+            slab_min: 1.4 * scale,
+            slab_max: 6.0 * scale,
+            first_layer: 0.35 * scale,
+            strand,
+            free_end: 20.0 * scale,
+            deviation_target: 0.3 * scale,
+            speed: 30.0 * scale,
+            pause: 1.0,
+        };
+        let wire = WireParams {
+            strand,
+            pattern: Pattern::Zigzag,
+            placement: Placement::Optimal,
+            caps: true,
+            supports: true,
+            cap_spacing: 6.0 * scale,
+            span_limit: 65.0 * scale,
+            free_end_limit: 20.0 * scale,
+        };
+        Self { head, heights, wire }
+    }
+
+    /// The paper's printer.
+    pub fn paper() -> Self {
+        Self::new(1.0, 32.0)
+    }
+
+    /// The paper's printer, one with a fine and slim nozzle, and one with a blunt one.
+    pub fn all() -> [Self; 3] {
+        [Self::paper(), Self::new(0.6, 55.0), Self::new(0.8, 25.0)]
+    }
+
+    pub fn strokes(&self) -> Strokes {
+        Strokes::new(&self.head, self.wire.strand)
+    }
+
+    pub fn slice(&self, mesh: &Mesh) -> Sliced {
+        slice_model(mesh, &self.head, &self.heights).unwrap()
+    }
+
+    pub fn print(&self, mesh: &Mesh) -> Print {
+        self.print_sliced(self.slice(mesh), &Layered::default())
+    }
+
+    pub fn print_sliced(&self, sliced: Sliced, layered: &Layered) -> Print {
+        let frame = build(sliced, layered, &self.head, &self.wire);
+        Print { printer: *self, frame }
+    }
+}
+
+/// A print and its printer.
+#[derive(Debug)]
+pub struct Print {
+    pub printer: Printer,
+    pub frame: Wireframe,
+}
+
+impl Print {
+    /// Number of strands of a kind.
+    pub fn count(&self, kind: Kind) -> usize {
+        self.frame.strands.iter().filter(|strand| strand.kind == kind).count()
+    }
+
+    /// Whether nothing is left out.
+    pub fn is_whole(&self) -> bool {
+        self.frame.unprinted.is_empty()
+    }
+}
