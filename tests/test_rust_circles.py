@@ -15,7 +15,6 @@ KNOWN = [
     ["fidelity/coverage.rs", "fidelity/left_out.rs"],
     ["render/raster.rs", "render/shade.rs", "render/stroke.rs", "render/triangle.rs"],
     ["slices/cut.rs", "slices/mod.rs", "slices/ranks.rs"],
-    ["xml/element.rs", "xml/mod.rs", "xml/prolog.rs", "xml/spaces.rs"],
 ]
 
 

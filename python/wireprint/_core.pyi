@@ -36,6 +36,7 @@ __all__ = [
     "Wireframe",
     "WireprintError",
     "__version__",
+    "carve",
     "certify",
     "coverage",
     "deviation",
@@ -45,6 +46,7 @@ __all__ = [
     "format_moves",
     "insert_progress",
     "read_model_part",
+    "read_slicer_config",
     "slice_mesh",
     "toolpath",
     "wireframe",
@@ -139,14 +141,16 @@ class Facets:
     def __new__(cls, corners: npt.NDArray[np.float64]) -> Facets: ...
     def nearest(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.uint32]: ...
 
-_Place: TypeAlias = tuple[str, tuple[float, ...], str | None]
+_Place: TypeAlias = tuple[str, tuple[float, ...], str | None, bool]
 _Object: TypeAlias = tuple[
     npt.NDArray[np.float64],
     npt.NDArray[np.uint32],
     Painting,
     list[tuple[str, npt.NDArray[np.uint32]]],
     list[_Place],
+    tuple[str, str, str | None, str | None],
 ]
+_SlicersVolume: TypeAlias = tuple[tuple[int, int] | None, str | None, str, str]
 _Leaves: TypeAlias = tuple[
     npt.NDArray[np.uint32],
     npt.NDArray[np.uint8],
@@ -158,7 +162,17 @@ _Leaves: TypeAlias = tuple[
 def read_model_part(
     chunks: Iterable[bytes],
 ) -> tuple[float, list[tuple[str, _Object]], list[_Place]]: ...
+def read_slicer_config(
+    chunks: Iterable[bytes],
+) -> tuple[
+    list[tuple[str, str, list[_SlicersVolume]]],
+    list[tuple[int, str, list[tuple[str, int]]]],
+]: ...
 def find_relationship(chunks: Iterable[bytes], kind: str) -> str | None: ...
+def carve(
+    body: tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]],
+    tools: Sequence[tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]],
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]: ...
 
 @final
 class Painting:

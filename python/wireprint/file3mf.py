@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 class File3mf:
     """A 3MF file that was read, and not placed yet."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, plate: int | None = None) -> None:
         self.path = path
         with named(path), Archive(path) as archive:
-            self.scene = read_scene(archive)
+            self.scene = read_scene(archive, plate)
             self._saved = _saved(archive)
 
     def mesh(self, *, as_it_is: bool, **placement: Any) -> Mesh:
@@ -37,12 +37,13 @@ class File3mf:
         **placement
             What `Mesh.from_arrays` takes.
         """
-        vertices, faces = self.scene.facets()
         placement["scale"] *= self.scene.unit_mm
         with named(self.path):
+            vertices, faces = self.scene.facets()
             if as_it_is and self._saved is not None and self._saved.is_of(vertices, faces):
                 return Mesh.restored(vertices, faces, self._saved.paired)
-            return Mesh.from_arrays(vertices, faces, **placement)
+            notes = self.scene.contents.sentences()
+            return Mesh.from_arrays(vertices, faces, **placement, notes=notes)
 
     def region(self, mesh: Mesh, states: Collection[int], sets: Collection[str]) -> Region:
         """Return what is painted, and then marked in the project, in a mesh's frame."""

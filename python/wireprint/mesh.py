@@ -29,6 +29,7 @@ def load_mesh(
     path: str | os.PathLike[str],
     *,
     file_format: str | None = None,
+    plate: int | None = None,
     scale: float = 1.0,
     units: str = "mm",
     up: str = "z",
@@ -43,9 +44,13 @@ def load_mesh(
     ----------
     path
         STL, OBJ, PLY, OFF or 3MF file. Objects, instances and components are joined, each with
-        its transform; overlapping bodies stay as they are until slices are united.
+        its transform; overlapping bodies stay as they are until slices are united. Of slicers'
+        projects negative parts are cut out; modifiers, what is for supports, and what is not to be
+        printed is left out; the mesh's `notes` say so.
     file_format
         One of `SUFFIXES`, where the name of the file does not end in it.
+    plate
+        Number of the plate of a slicer's project; None: the first one that has something to print.
     scale
         Factor on the model's size.
     units
@@ -93,7 +98,7 @@ def load_mesh(
 
         from wireprint.file3mf import File3mf
 
-        return placed(File3mf(Path(path)), units=units, **placement)
+        return placed(File3mf(Path(path), plate), units=units, **placement)
     if suffix not in FORMATS:
         known = ", ".join(name.upper() for name in SUFFIXES)
         msg = (
@@ -101,6 +106,8 @@ def load_mesh(
             "format (--format) if the file is in one of them"
         )
         raise ModelError(msg)
+    if plate not in (None, 1):
+        raise ModelError(f"{path}: there is no plate {plate}; only 3MF files have plates")
     return Mesh.load(path, suffix, **placement | {"scale": scale * UNITS_MM[units]})
 
 
@@ -111,7 +118,9 @@ def format_of(path: str | os.PathLike[str], file_format: str | None = None) -> s
 
 #: How `load_mesh` places a model unless it is told otherwise.
 AS_IT_IS: Final[dict[str, Any]] = {
-    name: value for name, value in (load_mesh.__kwdefaults__ or {}).items() if name != "file_format"
+    name: value
+    for name, value in (load_mesh.__kwdefaults__ or {}).items()
+    if name not in ("file_format", "plate")
 }
 
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from wireprint.regions import Region
     from wireprint.settings import Settings
+    from wireprint.threemf.contents import Contents
 
 
 @dataclass(frozen=True)
@@ -27,12 +28,15 @@ class Model:
     region: Region
     #: The settings of a project.
     settings: Settings | None
+    #: What a 3MF file holds.
+    contents: Contents | None
 
 
 def load_model(
     path: str | os.PathLike[str],
     *,
     file_format: str | None = None,
+    plate: int | None = None,
     states: Collection[int] = (),
     sets: Collection[str] = (),
     **placement: Any,
@@ -41,7 +45,7 @@ def load_model(
 
     Parameters
     ----------
-    path, file_format
+    path, file_format, plate
         As for `wireprint.load_mesh`. Files besides 3MF have no marks.
     states
         Numbers of extruders whose paint counts; none: that of all.
@@ -60,15 +64,17 @@ def load_model(
     if format_of(path, file_format) != "3mf":
         from wireprint.regions import Region
 
-        return Model(load_mesh(path, file_format=file_format, **placement), Region(), None)
-    file = File3mf(Path(path))
+        mesh = load_mesh(path, file_format=file_format, plate=plate, **placement)
+        return Model(mesh, Region(), None, None)
+    file = File3mf(Path(path), plate)
     mesh = placed(file, **placement)
-    return Model(mesh, file.region(mesh, states, sets), file.settings())
+    return Model(mesh, file.region(mesh, states, sets), file.settings(), file.scene.contents)
 
 
 def load_marks(
     path: str | os.PathLike[str],
     *,
+    plate: int | None = None,
     states: Collection[int] = (),
     sets: Collection[str] = (),
     **placement: Any,
@@ -79,7 +85,7 @@ def load_marks(
 
     Parameters
     ----------
-    path, states, sets, **placement
+    path, plate, states, sets, **placement
         See `load_model`.
 
     Raises
@@ -87,7 +93,7 @@ def load_marks(
     ModelError
         See `load_model`. Also where the file has no mark at all.
     """
-    file = File3mf(Path(path))
+    file = File3mf(Path(path), plate)
     mesh = placed(file, **placement | {"units": "mm"})
     region = file.region(mesh, states, sets) or file.region(mesh, states, file.scene.set_names)
     if not region:

@@ -33,6 +33,7 @@ class Placement:
     rotate: tuple[float, float, float] = (0.0, 0.0, 0.0)
     height_mm: float | None = None
     file_format: str | None = None
+    plate: int | None = None
 
 
 @dataclass(frozen=True)

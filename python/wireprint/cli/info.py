@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from wireprint.orientation import Orientation
     from wireprint.report import Marked
+    from wireprint.threemf.contents import Contents
 
 
 @click.command()
@@ -58,6 +59,7 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
         "warnings": warnings,
         "counts": mesh.report,
         "marks": marked,
+        "contents": None if loaded.contents is None else loaded.contents.to_dict(),
         "orientation": None if turned is None else turned.to_dict(),
     }
     if as_json:
@@ -69,6 +71,9 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
     say(f"  facets     {mesh.report['facets']} in {mesh.report['components']} parts")
     say(f"  surface    {mesh.area / 100:.2f} cm²")
     say(f"  volume     {mesh.volume / 1000:.2f} cm³{'' if found['closed'] else ' (open)'}")
+    if loaded.contents is not None:
+        for line in _contents(loaded.contents):
+            say(line)
     if marked is not None:
         say(f"  marked     {_marked(marked)}")
     for sentence in report.repairs(mesh):
@@ -78,6 +83,22 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
     if turned is not None:
         for line in _poses(turned):
             say(line)
+
+
+def _contents(contents: Contents) -> Iterator[str]:
+    """Tell plates and bodies of a 3MF file; a plain one has none to tell of."""
+    from wireprint.threemf.contents import shown
+
+    for plate in contents.plates:
+        mark = "→" if plate.taken else " "
+        name = f" {shown(plate.name)}" if plate.name else ""
+        objects = ", ".join(shown(one) for one in plate.objects) or "nothing to print"
+        yield f"  plate    {mark} {plate.number}{name}: {objects}"
+    for body in contents.bodies:
+        count = f"{body.count} × " if body.count > 1 else ""
+        size = f", {body.triangles} facets" if body.triangles else ""
+        name = shown(body.name) if body.name else "unnamed"
+        yield f"  body       {count}{name}: {body.role}{size}"
 
 
 def _marked(marks: Marked) -> str:

@@ -23,6 +23,12 @@ def placement_options(command: Command) -> Command:
             type=click.Choice(SUFFIXES, case_sensitive=False),
             help="Format of the model; default: what its name ends in.",
         ),
+        click.option(
+            "--plate",
+            type=click.IntRange(min=1),
+            metavar="N",
+            help="Plate of a slicer's project (3MF); default: the first that has something on it.",
+        ),
         click.option("--scale", type=float, default=1.0, help="Factor on the model's size."),
         click.option(
             "--units", type=click.Choice(list(UNITS_MM)), default="mm", help="Unit of the file."

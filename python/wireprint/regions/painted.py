@@ -9,6 +9,7 @@ import numpy as np
 from wireprint._core import MOST_DIGITS, ModelError
 from wireprint.regions.mask import Mask
 from wireprint.regions.region import Region
+from wireprint.threemf.roles import Role
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -16,7 +17,8 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
-    from wireprint.threemf.scene import Instance, Scene
+    from wireprint.threemf.instance import Instance
+    from wireprint.threemf.scene import Scene
 
     _Flags: TypeAlias = npt.NDArray[np.bool_]
 
@@ -75,17 +77,21 @@ class _Mask:
         return Region().add(Mask(vertices=vertices, faces=faces, marked=marked))
 
     def take(self, instance: Instance) -> None:
-        """Gather one instance's triangles."""
+        """Gather one instance's triangles; those of negative parts count as not painted."""
         faces, vertices, marked = instance.mesh.faces, instance.vertices, self._in_sets(instance)
         whole, whole_states, owners, corners, states = instance.mesh.painting.leaves(
             vertices, faces
         )
+        printed, cut = instance.of_role(Role.PART), instance.of_role(Role.NEGATIVE)
         marked[whole] |= self._counts(whole_states)
-        unsplit = np.ones(len(faces), np.bool_)
+        marked &= printed
+        unsplit = printed | cut
         unsplit[owners] = False
         self._add(vertices, faces[unsplit], marked[unsplit])
-        split = np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)
-        self._add(corners, split, marked[owners] | self._counts(states))
+        kept = (printed | cut)[owners]
+        owners, states = owners[kept], states[kept]
+        split = np.flatnonzero(np.repeat(kept, 3)).astype(np.uint32).reshape(-1, 3)
+        self._add(corners, split, marked[owners] | self._counts(states) & printed[owners])
 
     def _add(
         self, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.uint32], marked: _Flags

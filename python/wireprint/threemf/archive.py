@@ -43,8 +43,8 @@ _FAULTS: Final = (
     zipfile.BadZipFile,
     zlib.error,
 )
-#: A name that leads out of the archive, or out of its root: no part of a package has one.
-_ESCAPES: Final = re.compile(r"^[/\\]|^[A-Za-z]:|(^|[/\\])\.\.([/\\]|$)|[\x00-\x1f]")
+#: A name that leads out of the archive: no part of a package has one.
+_ESCAPES: Final = re.compile(r"^[A-Za-z]:|(^|/)\.\.(/|$)|[\x00-\x1f]")
 
 
 class Archive:
@@ -86,6 +86,10 @@ class Archive:
         """Whether there is a part of this name."""
         return name_of(name) in self._parts
 
+    def names(self) -> list[str]:
+        """Return the names of all parts, in the form of `name_of`."""
+        return list(self._parts)
+
     def read(self, name: str, reader: Callable[[Iterator[bytes]], T]) -> T:
         """Return what a reader makes of a part, which it is given a piece at a time.
 
@@ -94,7 +98,7 @@ class Archive:
         ModelError
             There is no such part, or it is damaged, or the reader refuses it.
         """
-        if _ESCAPES.search(name.removeprefix("/")):
+        if _ESCAPES.search(name_of(name)):
             raise ModelError(f"refers to {name!r}, which leads out of the file")
         info = self._parts.get(name_of(name))
         if info is None:
@@ -114,7 +118,7 @@ class Archive:
         seen, unpacked = set(), 0
         for info in self._zip.infolist():
             name = info.filename
-            if _ESCAPES.search(name):
+            if _ESCAPES.search(name_of(name)):
                 raise ModelError(f"has a part {name!r}, which leads out of the file")
             if name_of(name) in seen:
                 raise ModelError(f"has two parts {name!r}")
@@ -140,8 +144,11 @@ class Archive:
 
 
 def name_of(name: str) -> str:
-    """Return the form in which part names are compared: they differ in more than case."""
-    return name.removeprefix("/").lower()
+    """Return the form in which part names are compared: they differ in more than case.
+
+    Some programs write a backslash, or begin with a slash.
+    """
+    return name.replace("\\", "/").lstrip("/").lower()
 
 
 class _Guarded(io.FileIO):

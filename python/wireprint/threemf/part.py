@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from wireprint._core import read_model_part
+from wireprint.threemf.roles import of_object
 
 if TYPE_CHECKING:
     import numpy as np
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
 
     from wireprint._core import Painting
     from wireprint.threemf.archive import Archive
+    from wireprint.threemf.roles import Role
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,8 @@ class Placed:
     transform: tuple[float, ...]
     #: The part that has the object, if it is another one.
     path: str | None
+    #: Whether a slicer's project wants it printed.
+    printable: bool
 
 
 @dataclass(frozen=True)
@@ -39,6 +43,11 @@ class Object:
     #: unchecked.
     sets: dict[str, npt.NDArray[np.uint32]]
     components: tuple[Placed, ...]
+    #: What people call it; may be empty.
+    name: str
+    role: Role
+    #: The extension that gives it a shape which is not read, in words.
+    foreign: str | None
 
 
 @dataclass(frozen=True)
@@ -62,12 +71,28 @@ def read_part(archive: Archive, name: str) -> Part:
     return Part(
         unit_mm,
         {
-            key: Object(vertices, faces, painting, dict(sets), _placed(components))
-            for key, (vertices, faces, painting, sets, components) in objects
+            key: Object(
+                vertices,
+                faces,
+                painting,
+                dict(sets),
+                _placed(components),
+                name,
+                of_object(kind, flag),
+                foreign,
+            )
+            for key, (
+                vertices,
+                faces,
+                painting,
+                sets,
+                components,
+                (name, kind, flag, foreign),
+            ) in objects
         },
         _placed(items),
     )
 
 
-def _placed(found: list[tuple[str, tuple[float, ...], str | None]]) -> tuple[Placed, ...]:
+def _placed(found: list[tuple[str, tuple[float, ...], str | None, bool]]) -> tuple[Placed, ...]:
     return tuple(Placed(*one) for one in found)

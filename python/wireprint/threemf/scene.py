@@ -2,63 +2,46 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
-from functools import cached_property
+from itertools import groupby
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from wireprint._core import MOST_TRIANGLES, MOST_VERTICES, ModelError, find_relationship
-from wireprint.threemf.archive import name_of
-from wireprint.threemf.part import Object, Part, Placed, read_part
+from wireprint._core import ModelError, carve, find_relationship
+from wireprint.threemf.build import Build
+from wireprint.threemf.contents import Contents, PlateContents, counted, shown
+from wireprint.threemf.roles import Role
+from wireprint.threemf.slicers import Config, read_config
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     import numpy.typing as npt
 
     from wireprint.threemf.archive import Archive
-
-#: Most copies of objects that a file may place, components of components multiplied.
-MOST_COPIES: Final = 10_000
-#: Factors beyond this make no sense in any unit.
-LARGEST: Final = 1e9
-#: Most components within one another.
-MOST_DEEP: Final = 64
+    from wireprint.threemf.instance import Instance, Soup
 
 RELATIONSHIPS: Final = "_rels/.rels"
 MODEL_TYPE: Final = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
 #: The relationship to the part that makes a 3MF file a project.
 PROJECT_TYPE: Final = "urn:wireprint:project"
 USUAL_MODEL: Final = "3D/3dmodel.model"
-
-
-@dataclass(frozen=True)
-class Instance:
-    """A mesh where the file puts it."""
-
-    mesh: Object
-    #: (4, 3): (x, y, z, 1) · matrix is where a point goes, in the file's unit.
-    matrix: npt.NDArray[np.float64]
-
-    @cached_property
-    def vertices(self) -> npt.NDArray[np.float64]:
-        """Float64 of shape (N, 3), in the file's unit."""
-        placed: npt.NDArray[np.float64] = self.mesh.vertices @ self.matrix[:3] + self.matrix[3]
-        return placed
-
-    @property
-    def mirrored(self) -> bool:
-        """Whether corners that were counter-clockwise are clockwise where the file puts them."""
-        return bool(np.linalg.det(self.matrix[:3]) < 0)
+#: Where slicers keep the G-code of a plate, in the form of `archive.name_of`.
+GCODE: Final = re.compile(r"metadata/plate_\d+\.gcode$")
+#: Why an item of the build is left out.
+_NOT_PRINTABLE: Final = "object that is not to be printed"
+_OFF_PLATES: Final = "object beside all plates"
 
 
 @dataclass(frozen=True)
 class Scene:
-    """All meshes that a file's build places."""
+    """All meshes that a file's build places on one plate, and that are printed or cut out."""
 
     unit_mm: float
     instances: tuple[Instance, ...]
+    contents: Contents
 
     @property
     def set_names(self) -> list[str]:
@@ -66,33 +49,143 @@ class Scene:
         return list(dict.fromkeys(name for one in self.instances for name in one.mesh.sets))
 
     def facets(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
-        """Join the meshes: vertices (N, 3) in the file's unit, and faces (M, 3)."""
-        vertices, faces, count = [], [], 0
-        for instance in self.instances:
-            own = instance.mesh.faces
-            faces.append((own[:, ::-1] if instance.mirrored else own) + np.uint32(count))
-            vertices.append(instance.vertices)
-            count += len(instance.vertices)
+        """Join the meshes: vertices (N, 3) in the file's unit, and faces (M, 3).
+
+        Raises
+        ------
+        ModelError
+            A negative part cannot be cut out of its object.
+        """
+        vertices, faces, count = [np.zeros((0, 3))], [np.zeros((0, 3), np.uint32)], 0
+        for _, placed in groupby(self.instances, key=lambda one: one.item):
+            for points, own in _carved(list(placed)):
+                faces.append(own + np.uint32(count))
+                vertices.append(points)
+                count += len(points)
+        if not any(map(len, faces)):
+            raise ModelError("nothing is left where its negative parts were cut out")
         return np.concatenate(vertices), np.concatenate(faces)
 
 
-def read_scene(archive: Archive) -> Scene:
-    """Read all that a file's build places.
+def _carved(instances: Sequence[Instance]) -> Iterator[Soup]:
+    """Yield the parts that an item of the build places, its negative parts cut out of them."""
+    tools = [
+        instance.soup(volume)
+        for instance in instances
+        for volume in instance.volumes
+        if volume.role == Role.NEGATIVE
+    ]
+    for instance in instances:
+        for volume in instance.volumes:
+            if volume.role == Role.PART and tools:
+                try:
+                    yield carve(instance.soup(volume), tools)
+                except ModelError as error:
+                    raise ModelError(f"object {shown(volume.name)} {error}") from error
+            elif volume.role == Role.PART:
+                yield instance.soup(volume)
+
+
+def read_scene(archive: Archive, plate: int | None = None) -> Scene:
+    """Read all that a file's build places on a plate.
+
+    Parameters
+    ----------
+    archive
+        The file.
+    plate
+        Number of the plate; None: the first one that has something to print. All that is placed
+        lies on plate 1 where the file knows no plates.
 
     Raises
     ------
     ModelError
-        A part is missing or damaged; components contain one another, or make too many copies; a
-        triangle names a vertex that does not exist; or nothing is built.
+        A part is missing or damaged; an extension is needed that is not supported; components
+        contain one another, or make too many copies; a triangle names a vertex that does not exist;
+        there is no such plate; or nothing is printed.
     """
     name = related_part(archive, MODEL_TYPE) or USUAL_MODEL
     if name not in archive:
         raise ModelError(f"no 3MF, it has no part {name.removeprefix('/')}")
-    build = _Build(archive, name)
-    instances = tuple(build.instances())
-    if not instances:
-        raise ModelError("the file has no facets")
-    return Scene(build.root.unit_mm, instances)
+    config = read_config(archive)
+    build = Build(archive, name, config)
+    items = build.root.items
+    if not items:
+        raise ModelError(_nothing(archive))
+    # Why an item is not printed, if it is not.
+    reasons: list[str | None] = [None if item.printable else _NOT_PRINTABLE for item in items]
+    for index, item in enumerate(items):
+        role = build.role(item)
+        if role != Role.PART:
+            reasons[index] = role
+    numbers = config.plate_of(items)
+    plates = _plates(build, config, reasons, numbers, plate)
+    if plates:
+        taken = next(one.number for one in plates if one.taken)
+        for index, number in enumerate(numbers):
+            if number is None:
+                reasons[index] = reasons[index] or _OFF_PLATES
+        here = [index for index, number in enumerate(numbers) if number in (None, taken)]
+    else:
+        here = list(range(len(items)))
+    instances: list[Instance] = []
+    found: list[tuple[str, str, int]] = []
+    for index in here:
+        reason = reasons[index]
+        if reason is not None:
+            found.append((build.name(items[index]), reason, 0))
+            continue
+        for instance in build.instances(index):
+            instances.append(instance)
+            found += [
+                (
+                    volume.name or build.name(items[index]),
+                    str(volume.role),
+                    volume.end - volume.begin,
+                )
+                for volume in instance.volumes
+            ]
+    contents = Contents(plates, counted(found))
+    if not any(volume.role == Role.PART for one in instances for volume in one.volumes):
+        left = "; ".join(contents.sentences())
+        raise ModelError(f"nothing in it is to be printed: {left}" if left else _nothing(archive))
+    return Scene(build.root.unit_mm, tuple(instances), contents)
+
+
+def _plates(
+    build: Build,
+    config: Config,
+    reasons: Sequence[str | None],
+    numbers: Sequence[int | None],
+    wanted: int | None,
+) -> tuple[PlateContents, ...]:
+    """Return the plates that hold something, one of which is taken; none where none is known."""
+    known = [plate for plate in config.plates if plate.number in numbers]
+    objects = {plate.number: list[str]() for plate in known}
+    for item, reason, number in zip(build.root.items, reasons, numbers, strict=True):
+        if number in objects and reason is None:
+            objects[number].append(build.name(item))
+    usable = [number for number, names in objects.items() if names]
+    there = list(objects) or [1]
+    if wanted is not None and wanted not in there:
+        listed = ", ".join(map(str, there))
+        raise ModelError(f"there is no plate {wanted} with objects on it; there are {listed}")
+    taken = wanted if wanted is not None else next(iter(usable), there[0])
+    return tuple(
+        PlateContents(plate.number, plate.name, tuple(objects[plate.number]), plate.number == taken)
+        for plate in known
+    )
+
+
+def _nothing(archive: Archive) -> str:
+    """Say why nothing is printed where nothing is placed."""
+    gcode = sorted(name for name in archive.names() if GCODE.match(name))
+    if gcode:
+        return (
+            f"a sliced plate: it holds G-code ({gcode[0]}) and no model; "
+            "take the project that it was sliced from"
+        )
+    return "nothing is to be built: no item of its build places a triangle"
 
 
 def related_part(archive: Archive, kind: str) -> str | None:
@@ -100,73 +193,3 @@ def related_part(archive: Archive, kind: str) -> str | None:
     if RELATIONSHIPS not in archive:
         return None
     return archive.read(RELATIONSHIPS, lambda chunks: find_relationship(chunks, kind))
-
-
-class _Build:
-    """Follows items and components through the parts of a file."""
-
-    def __init__(self, archive: Archive, name: str) -> None:
-        self.root = read_part(archive, name)
-        self._archive = archive
-        self._name = name
-        self._parts = {name_of(name): self.root}
-        self._copies = 0
-        self._triangles = 0
-        self._vertices = 0
-
-    def instances(self) -> Iterator[Instance]:
-        """Yield every mesh that the build places, in the order of the file."""
-        for item in self.root.items:
-            yield from self._placed(item, self._name, np.eye(4), ())
-
-    def _placed(
-        self,
-        placed: Placed,
-        within: str,
-        outer: npt.NDArray[np.float64],
-        above: tuple[tuple[str, str], ...],
-    ) -> Iterator[Instance]:
-        name = placed.path or within
-        part, key = self._part(name), (name_of(name), placed.object_id)
-        mesh = part.objects.get(placed.object_id)
-        if mesh is None:
-            raise ModelError(f"places an object {placed.object_id!r} that {name} does not have")
-        if key in above:
-            raise ModelError(
-                f"object {placed.object_id!r} is a component of itself, copies without end"
-            )
-        self._copies += 1
-        if self._copies > MOST_COPIES or len(above) > MOST_DEEP:
-            raise ModelError(
-                f"places more than {MOST_COPIES} copies of its objects, "
-                f"or components more than {MOST_DEEP} deep"
-            )
-        inner = np.eye(4)
-        inner[:, :3] = np.reshape(placed.transform, (4, 3))
-        with np.errstate(over="ignore", invalid="ignore"):
-            matrix = inner @ outer
-        if len(mesh.faces):
-            yield self._instance(mesh, placed.object_id, matrix, part.unit_mm)
-        for component in mesh.components:
-            yield from self._placed(component, name, matrix, (*above, key))
-
-    def _instance(
-        self, mesh: Object, name: str, matrix: npt.NDArray[np.float64], unit_mm: float
-    ) -> Instance:
-        self._triangles += len(mesh.faces)
-        self._vertices += len(mesh.vertices)
-        if self._triangles > MOST_TRIANGLES or self._vertices > MOST_VERTICES:
-            raise ModelError(
-                f"places more than {MOST_TRIANGLES} triangles or {MOST_VERTICES} vertices"
-            )
-        if not (np.abs(matrix) < LARGEST).all():
-            raise ModelError(f"object {name!r} is placed by numbers that make no sense")
-        scaled = matrix[:, :3].copy()
-        scaled[:3] *= unit_mm / self.root.unit_mm
-        return Instance(mesh, scaled)
-
-    def _part(self, name: str) -> Part:
-        key = name_of(name)
-        if key not in self._parts:
-            self._parts[key] = read_part(self._archive, name)
-        return self._parts[key]

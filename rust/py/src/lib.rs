@@ -1,6 +1,7 @@
 //! The Python binding: converts, releases the GIL, calls the core. No algorithm lives here.
 
 mod arrays;
+mod carve;
 mod check;
 mod errors;
 mod estimate;
@@ -21,6 +22,8 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
+    use super::carve::carve;
+    #[pymodule_export]
     use super::check::{Certificate, certify, coverage, deviation};
     #[pymodule_export]
     use super::estimate::{Estimate, estimate, estimate_files};
@@ -35,7 +38,7 @@ mod _core {
     #[pymodule_export]
     use super::slices::{Slices, slice_mesh};
     #[pymodule_export]
-    use super::threemf::{Painting, find_relationship, read_model_part};
+    use super::threemf::{Painting, find_relationship, read_model_part, read_slicer_config};
     #[pymodule_export]
     use super::toolpath::{Toolpath, toolpath};
     #[pymodule_export]

@@ -1,9 +1,11 @@
-//! `wireprint._core.read_model_part`, `.find_relationship` and `.Painting`: the parts of 3MF files.
+//! `wireprint._core.read_model_part`, `.read_slicer_config`, `.find_relationship` and `.Painting`:
+//! the parts of 3MF files.
 
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use wireprint_core::Result as CoreResult;
+use wireprint_core::threemf::config::{self, Described, Volume, Whereof};
 use wireprint_core::threemf::{self, Placed, paint};
 
 use crate::arrays;
@@ -16,12 +18,21 @@ pub const MOST_VERTICES: usize = threemf::MOST_VERTICES;
 /// Most digits of paint that a file may have.
 pub const MOST_DIGITS: usize = paint::MOST_DIGITS;
 
-/// An object's id, its transform row by row, and the part that has it if it is another one.
-type Place = (String, [f64; 12], Option<String>);
+/// An object's id, its transform row by row, the part that has it if it is another one, and
+/// whether it is to be printed.
+type Place = (String, [f64; 12], Option<String>, bool);
 type Matrix<'py, T> = Bound<'py, PyArray2<T>>;
-/// Vertices, faces, painting, triangle sets in order, components.
-type Object<'py> =
-    (Matrix<'py, f64>, Matrix<'py, u32>, Painting, Vec<(String, Matrix<'py, u32>)>, Vec<Place>);
+/// Name, type, Cura's flag, the extension that gives it a shape which is not read.
+type Meaning = (String, String, Option<String>, Option<String>);
+/// Vertices, faces, painting, triangle sets in order, components, meaning.
+type Object<'py> = (
+    Matrix<'py, f64>,
+    Matrix<'py, u32>,
+    Painting,
+    Vec<(String, Matrix<'py, u32>)>,
+    Vec<Place>,
+    Meaning,
+);
 /// Millimetres per unit, objects with their ids, items of the build.
 type Part<'py> = (f64, Vec<(String, Object<'py>)>, Vec<Place>);
 type Leaves<'py> = (
@@ -36,8 +47,9 @@ type Leaves<'py> = (
 /// the build's items.
 ///
 /// Of an object: vertices float64 (N, 3), faces uint32 (M, 3), painting, the first and last
-/// triangles of each set's ranges uint32 (R, 2), unchecked, and components. Items and components:
-/// id, the twelve numbers of the transform, and the part if it is another one.
+/// triangles of each set's ranges uint32 (R, 2), unchecked, components, and what it is: name, type,
+/// flag of Cura's, foreign extension. Items and components: id, the twelve numbers of the transform,
+/// the part if it is another one, and whether it is to be printed.
 ///
 /// # Errors
 /// `ModelError` with the line where the part is damaged, hostile or makes no sense.
@@ -58,6 +70,7 @@ pub fn read_model_part<'py>(py: Python<'py>, chunks: &Bound<'py, PyAny>) -> PyRe
             Painting { core: object.painting },
             sets,
             places(object.components),
+            (object.name, object.kind, object.flag, object.foreign),
         );
         objects.push((object.id, found));
     }
@@ -93,7 +106,38 @@ fn feed<'py>(
 }
 
 fn places(placed: Vec<Placed>) -> Vec<Place> {
-    placed.into_iter().map(|one| (one.object_id, one.transform, one.path)).collect()
+    let place = |one: Placed| (one.object_id, one.transform, one.path, one.printable);
+    placed.into_iter().map(place).collect()
+}
+
+/// Triangles of the object, first and last, or the component of an object's id; kind; name.
+type SlicersVolume = (Option<(u32, u32)>, Option<String>, String, String);
+/// Objects with ids, names and volumes; plates with numbers, names, and the ids and instances.
+type SlicersConfig =
+    (Vec<(String, String, Vec<SlicersVolume>)>, Vec<(u32, String, Vec<(String, u32)>)>);
+
+/// Reads what a slicer says beside a model: for each object its id, its name and its volumes, and for
+/// each plate its number, its name, and the objects' ids and instances on it.
+///
+/// # Errors
+/// `ModelError` with the line where the part is damaged, hostile or makes no sense.
+#[pyfunction]
+pub fn read_slicer_config<'py>(
+    py: Python<'py>,
+    chunks: &Bound<'py, PyAny>,
+) -> PyResult<SlicersConfig> {
+    let mut reader = config::ConfigReader::default();
+    feed(py, chunks, |bytes| reader.feed(bytes))?;
+    let found = reader.finish().map_err(to_py)?;
+    let volume = |volume: Volume| match volume.whereof {
+        Whereof::Triangles(first, last) => (Some((first, last)), None, volume.kind, volume.name),
+        Whereof::Component(id) => (None, Some(id), volume.kind, volume.name),
+    };
+    let object = |object: Described| {
+        (object.id, object.name, object.volumes.into_iter().map(volume).collect())
+    };
+    let plates = found.plates.into_iter().map(|plate| (plate.number, plate.name, plate.instances));
+    Ok((found.objects.into_iter().map(object).collect(), plates.collect()))
 }
 
 /// The paintings of an object's triangles; immutable.

@@ -1,19 +1,15 @@
-//! A model part: its objects, what they are made of, and what shall be built.
+//! Reads a model part: its objects, what they are made of, and what shall be built.
 
 use std::collections::HashSet;
 
-use super::paint::{MOST_DIGITS, Painting};
-use super::values::{Read, kept, number, parsed, required};
+use super::extensions::{self, BEAMS, PRODUCTION, SETS, SLIC3R};
+use super::model::{MOST_TRIANGLES, MOST_VERTICES, Object, Part, Placed};
+use super::paint::MOST_DIGITS;
+use super::values::{Read, count, kept, number, parsed, required};
 use crate::Result;
 use crate::mesh::weld::LARGEST;
 use crate::xml::{Element, Handler, Reader, shown};
 
-/// Namespace of triangle sets, 3MF core specification 1.3, chapter 4.3.
-const SETS: &str = "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
-/// The production extension, whose attribute `path` refers to another part.
-const PRODUCTION: &str = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
-/// PrusaSlicer's namespace; its attribute `mmu_segmentation` paints a triangle.
-const SLIC3R: &str = "http://schemas.slic3r.org/3mf/2017/06";
 /// Millimetres per unit (3MF core specification 1.3, section 3.4, attribute `unit`).
 const UNITS_MM: [(&str, f64); 6] = [
     ("micron", 0.001),
@@ -25,58 +21,12 @@ const UNITS_MM: [(&str, f64); 6] = [
 ];
 const IDENTITY: [f64; 12] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
-/// Most triangles of a part; a mesh of that many takes a gigabyte.
-pub const MOST_TRIANGLES: usize = 1 << 23;
-/// Most vertices of a part: a closed mesh has half as many as triangles.
-pub const MOST_VERTICES: usize = MOST_TRIANGLES / 2;
 /// Most objects of a part.
 const MOST_OBJECTS: usize = 1 << 16;
 /// Most triangle sets of a part.
 const MOST_SETS: usize = 1 << 12;
 /// Most items and components of a part.
 const MOST_PLACED: usize = 1 << 16;
-
-/// An object that is placed: by the build, or as a component of another one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Placed {
-    /// The object's id.
-    pub object_id: String,
-    /// Row by row: (x, y, z, 1) · matrix is where a point goes.
-    pub transform: [f64; 12],
-    /// The part that has the object, if it is another one.
-    pub path: Option<String>,
-}
-
-/// First and last triangle of each range.
-pub type Ranges = Vec<[u32; 2]>;
-
-/// A mesh, or components.
-#[derive(Debug, Default)]
-pub struct Object {
-    /// Its name within the part.
-    pub id: String,
-    /// Positions in the part's unit.
-    pub vertices: Vec<[f64; 3]>,
-    /// Indices of vertices that exist.
-    pub triangles: Vec<[u32; 3]>,
-    /// What is painted on the triangles.
-    pub painting: Painting,
-    /// Names of triangle sets, in order, and the triangles that they name, unchecked.
-    pub sets: Vec<(String, Ranges)>,
-    /// Objects that it is made of.
-    pub components: Vec<Placed>,
-}
-
-/// One model part.
-#[derive(Debug, Default)]
-pub struct Part {
-    /// Millimetres per unit.
-    pub unit_mm: f64,
-    /// In the order of the file; ids differ.
-    pub objects: Vec<Object>,
-    /// What shall be built.
-    pub items: Vec<Placed>,
-}
 
 /// Reads a model part piece by piece.
 pub struct PartReader(Reader<Filling>);
@@ -113,9 +63,11 @@ struct Filling {
     /// Namespace of the outermost element, and so of the core specification.
     core: Option<String>,
     ids: HashSet<String>,
-    /// Whether the last object is open, and which of its sets is.
-    inside: bool,
+    /// How many elements are open from the last object on, and which of its sets is.
+    within: usize,
     set: Option<usize>,
+    /// The flag whose value follows.
+    flag: Option<String>,
     // How many of each there are.
     objects: usize,
     vertices: usize,
@@ -128,7 +80,10 @@ struct Filling {
 impl Handler for Filling {
     fn start(&mut self, element: &Element<'_>) -> Read<()> {
         let core = self.core.get_or_insert_with(|| element.namespace.to_string());
-        if element.namespace == core {
+        let is_core = element.namespace == core;
+        self.shape(element, is_core);
+        self.within += usize::from(self.within > 0);
+        if is_core {
             match element.name {
                 "vertex" => self.vertex(element),
                 "triangle" => self.triangle(element),
@@ -136,6 +91,7 @@ impl Handler for Filling {
                 "item" => self.item(element),
                 "object" => self.object(element),
                 "model" => self.model(element),
+                "metadata" => self.metadata(element),
                 _ => Ok(()),
             }
         } else if element.namespace == SETS {
@@ -156,17 +112,27 @@ impl Handler for Filling {
     }
 
     fn end(&mut self, namespace: &str, name: &str) {
-        if name == "object" && self.core.as_deref() == Some(namespace) {
-            self.inside = false;
-            self.set = None;
-        } else if name == "triangleset" && namespace == SETS {
+        self.within = self.within.saturating_sub(1);
+        self.flag = None;
+        if self.within == 0 || name == "triangleset" && namespace == SETS {
             self.set = None;
         }
+    }
+
+    fn text(&mut self, text: &str) -> Read<()> {
+        if self.flag.is_some() && text.trim().eq_ignore_ascii_case("true") {
+            let flag = self.flag.take();
+            if let Some(object) = open(&mut self.part, self.within) {
+                object.flag = flag;
+            }
+        }
+        Ok(())
     }
 }
 
 impl Filling {
     fn model(&mut self, element: &Element<'_>) -> Read<()> {
+        extensions::check_required(element)?;
         let unit = element.get("unit").unwrap_or("millimeter".into());
         let known = UNITS_MM.iter().find(|(name, _)| *name == unit);
         let (_, mm) =
@@ -181,15 +147,41 @@ impl Filling {
             return Err(format!("makes no sense: another one has the id '{}'", shown(&id)));
         }
         count(&mut self.objects, 1, MOST_OBJECTS, "objects")?;
-        self.part.objects.push(Object { id, ..Object::default() });
-        self.inside = true;
-        self.set = None;
+        let text = |name: &str| element.get(name).map(kept).transpose();
+        self.part.objects.push(Object {
+            id,
+            name: text("name")?.unwrap_or_default(),
+            kind: text("type")?.unwrap_or_else(|| "model".into()),
+            ..Object::default()
+        });
+        (self.within, self.set) = (1, None);
+        Ok(())
+    }
+
+    /// Notes an extension that gives the open object its shape: in place of a mesh or components,
+    /// or beside a mesh's triangles.
+    fn shape(&mut self, element: &Element<'_>, is_core: bool) {
+        let place = self.within;
+        let Some(object) = open(&mut self.part, place) else { return };
+        let instead = place == 1 && !is_core;
+        let lattice = element.name == "beamlattice" && element.namespace == BEAMS;
+        if instead || lattice {
+            object.foreign.get_or_insert_with(|| extensions::in_words(element.namespace));
+        }
+    }
+
+    /// Notes whose value follows: a flag of Cura's.
+    fn metadata(&mut self, element: &Element<'_>) -> Read<()> {
+        let name = element.get("name").unwrap_or_default();
+        if let Some(flag) = name.strip_prefix("cura:").filter(|flag| flag.ends_with("_mesh")) {
+            self.flag = Some(kept(flag.into())?);
+        }
         Ok(())
     }
 
     fn vertex(&mut self, element: &Element<'_>) -> Read<()> {
         let point = [number(element, "x")?, number(element, "y")?, number(element, "z")?];
-        let Some(object) = open(&mut self.part, self.inside) else { return Ok(()) };
+        let Some(object) = open(&mut self.part, self.within) else { return Ok(()) };
         if !point.iter().all(|v: &f64| v.abs() <= LARGEST) {
             return Err(format!(
                 "makes no sense: vertex {} of object '{}' is {point:?}: \
@@ -205,7 +197,7 @@ impl Filling {
 
     fn triangle(&mut self, element: &Element<'_>) -> Read<()> {
         let corners = [number(element, "v1")?, number(element, "v2")?, number(element, "v3")?];
-        let Some(object) = open(&mut self.part, self.inside) else { return Ok(()) };
+        let Some(object) = open(&mut self.part, self.within) else { return Ok(()) };
         let there = object.vertices.len();
         let Some(triangle) = indices(corners, there) else {
             return Err(format!(
@@ -230,7 +222,7 @@ impl Filling {
 
     fn component(&mut self, element: &Element<'_>) -> Read<()> {
         let placed = self.place(element)?;
-        if let Some(object) = open(&mut self.part, self.inside) {
+        if let Some(object) = open(&mut self.part, self.within) {
             object.components.push(placed);
         }
         Ok(())
@@ -250,12 +242,13 @@ impl Filling {
         };
         let object_id = kept(required(element, "objectid")?)?;
         let path = element.get_in(PRODUCTION, "path").map(kept).transpose()?;
-        Ok(Placed { object_id, transform, path })
+        let printable = element.get("printable").is_none_or(|text| text != "0");
+        Ok(Placed { object_id, transform, path, printable })
     }
 
     fn triangle_set(&mut self, element: &Element<'_>) -> Read<()> {
         count(&mut self.sets, 1, MOST_SETS, "triangle sets")?;
-        let Some(object) = open(&mut self.part, self.inside) else { return Ok(()) };
+        let Some(object) = open(&mut self.part, self.within) else { return Ok(()) };
         let name = element.get("name").filter(|name| !name.is_empty());
         let name = kept(name.map_or_else(|| required(element, "identifier"), Ok)?)?;
         let known = object.sets.iter().position(|(known, _)| *known == name);
@@ -268,7 +261,7 @@ impl Filling {
     }
 
     fn refer(&mut self, first: u32, last: u32) -> Read<()> {
-        let object = open(&mut self.part, self.inside);
+        let object = open(&mut self.part, self.within);
         if let Some((_, ranges)) = object.and_then(|object| object.sets.get_mut(self.set?)) {
             ranges.push([first, last]);
         }
@@ -277,18 +270,8 @@ impl Filling {
 }
 
 /// The object that is open: the last one, if it is.
-fn open(part: &mut Part, inside: bool) -> Option<&mut Object> {
-    part.objects.last_mut().filter(|_| inside)
-}
-
-/// Counts some more, and refuses what is too much.
-fn count(counted: &mut usize, more: usize, most: usize, what: &str) -> Read<()> {
-    *counted += more;
-    if *counted <= most {
-        Ok(())
-    } else {
-        Err(format!("is too much: there are over {most} {what}"))
-    }
+fn open(part: &mut Part, within: usize) -> Option<&mut Object> {
+    part.objects.last_mut().filter(|_| within > 0)
 }
 
 /// The corners as indices of vertices, if all of them are there.

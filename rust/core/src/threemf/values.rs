@@ -32,3 +32,13 @@ pub fn kept(text: Cow<'_, str>) -> Read<String> {
     }
     Ok(text.into_owned())
 }
+
+/// Counts some more, and refuses what is too much.
+pub fn count(counted: &mut usize, more: usize, most: usize, what: &str) -> Read<()> {
+    *counted += more;
+    if *counted <= most {
+        Ok(())
+    } else {
+        Err(format!("is too much: there are over {most} {what}"))
+    }
+}

@@ -136,3 +136,8 @@ const OF_NAME: [bool; 256] = {
     }
     table
 };
+
+/// A name or value as errors show it: not too long, and nothing that a terminal would obey.
+pub fn shown(text: &str) -> String {
+    text.chars().take(40).flat_map(char::escape_debug).collect()
+}

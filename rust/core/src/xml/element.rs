@@ -2,12 +2,10 @@
 
 use std::borrow::Cow;
 
-use memchr::memchr;
-
-use super::cursor::{Cursor, Stop, is_space};
-use super::decode::character;
+use super::cursor::{Cursor, Stop, shown};
+use super::limits::MOST_ATTRIBUTES;
 use super::spaces::Spaces;
-use super::{MOST_ATTRIBUTES, shown};
+use super::text::{check_references, plain, same};
 
 type Read<T> = Result<T, Stop>;
 
@@ -32,6 +30,12 @@ impl<'a> Element<'a> {
     #[must_use]
     pub fn get(&self, name: &str) -> Option<Cow<'a, str>> {
         self.attributes.iter().find(|(found, _)| same(found, name)).map(|(_, value)| plain(value))
+    }
+
+    /// The namespace that a prefix stands for here.
+    #[must_use]
+    pub fn namespace_of(&self, prefix: &str) -> Option<&'a str> {
+        self.spaces.of(prefix)
     }
 
     /// Value of an attribute of a namespace.
@@ -94,61 +98,4 @@ pub(super) fn attribute<'a>(cursor: &mut Cursor<'a>) -> Read<(&'a str, &'a str)>
         check_references(value)?;
     }
     Ok((name, value))
-}
-
-/// Refuses a text in which `&` stands for nothing.
-pub(super) fn check_references(text: &str) -> Read<()> {
-    let mut rest = text;
-    while let Some(start) = memchr(b'&', rest.as_bytes()) {
-        let Some((_, length)) = reference(&rest[start..]) else {
-            let what = format!("'{}' stands for nothing: undefined", shown(&rest[start..]));
-            return Err(Stop::damage(&what));
-        };
-        rest = &rest[start + length..];
-    }
-    Ok(())
-}
-
-/// The character that a text begins with by reference, and the length of that.
-fn reference(text: &str) -> Option<(char, usize)> {
-    let name = text.get(1..text.find(';')?)?;
-    let found = match name {
-        "lt" => '<',
-        "gt" => '>',
-        "amp" => '&',
-        "quot" => '"',
-        "apos" => '\'',
-        _ => {
-            let number = name.strip_prefix('#')?;
-            let (digits, radix) = number.strip_prefix('x').map_or((number, 10), |hex| (hex, 16));
-            // `from_str_radix` would take a sign.
-            let plain = digits.bytes().all(|b| b.is_ascii_alphanumeric());
-            character(u32::from_str_radix(digits, radix).ok().filter(|_| plain)?)?
-        }
-    };
-    Some((found, name.len() + 2))
-}
-
-/// Whether two names are one; names are too short for a comparison by many bytes at a time.
-pub(super) fn same(a: &str, b: &str) -> bool {
-    a.len() == b.len() && a.bytes().zip(b.bytes()).all(|(a, b)| a == b)
-}
-
-/// A value with its references resolved, and white space as spaces (XML 1.0, section 3.3.3).
-pub(super) fn plain(value: &str) -> Cow<'_, str> {
-    if !value.bytes().any(|b| b == b'&' || b < b' ') {
-        return Cow::Borrowed(value);
-    }
-    let (mut found, mut rest) = (String::with_capacity(value.len()), value);
-    while let Some(first) = rest.chars().next() {
-        let (character, length) = match first {
-            '&' => reference(rest).unwrap_or((first, 1)),
-            '\r' if rest.starts_with("\r\n") => (' ', 2),
-            _ if u8::try_from(first).is_ok_and(is_space) => (' ', 1),
-            _ => (first, first.len_utf8()),
-        };
-        found.push(character);
-        rest = &rest[length..];
-    }
-    Cow::Owned(found)
 }

@@ -8,26 +8,21 @@
 mod cursor;
 mod decode;
 mod element;
+mod limits;
 mod prolog;
 mod spaces;
+mod text;
 
 use memchr::{memchr, memchr_iter};
 
 use crate::{CoreError, Result};
+pub(crate) use cursor::shown;
 use cursor::{Cursor, Stop, is_space};
 use decode::Decoder;
 pub use element::Element;
 use element::Tag;
+pub use limits::{MOST_ATTRIBUTES, MOST_BINDINGS, MOST_DEEP, MOST_TOKEN};
 use spaces::Spaces;
-
-/// Most elements inside one another; a 3MF needs eight.
-pub const MOST_DEEP: usize = 32;
-/// Most bytes of one tag, comment or text; a triangle that was painted finely has some thousands.
-pub const MOST_TOKEN: usize = 1 << 22;
-/// Most attributes of an element.
-pub const MOST_ATTRIBUTES: usize = 32;
-/// Most prefixes that are bound to namespaces at a time.
-pub const MOST_BINDINGS: usize = 64;
 
 /// Takes in elements as they begin and end.
 pub trait Handler {
@@ -36,6 +31,14 @@ pub trait Handler {
     /// # Errors
     /// What makes no sense about it, as the rest of a sentence that begins with its name.
     fn start(&mut self, element: &Element<'_>) -> std::result::Result<(), String>;
+
+    /// There is text in the innermost element that is open; comments part it.
+    ///
+    /// # Errors
+    /// What makes no sense about it, as the rest of a sentence that begins with "a text".
+    fn text(&mut self, _text: &str) -> std::result::Result<(), String> {
+        Ok(())
+    }
 
     /// An element of this namespace and name ends.
     fn end(&mut self, namespace: &str, name: &str);
@@ -138,7 +141,10 @@ impl<H: Handler> Reader<H> {
         match cursor.peek()? {
             b'/' => self.close(cursor),
             b'?' => prolog::instruction(cursor, self.begun, &self.decoder),
-            b'!' => prolog::comment_or_section(cursor, !self.begins.is_empty()),
+            b'!' => match prolog::comment_or_section(cursor, !self.begins.is_empty())? {
+                Some(section) => self.text(section),
+                None => Ok(()),
+            },
             _ => {
                 let tag = element::tag(cursor, attributes)?;
                 self.start(&tag, attributes)
@@ -191,30 +197,30 @@ impl<H: Handler> Reader<H> {
         Ok(())
     }
 
-    /// Passes over text between tags.
-    fn characters(&self, cursor: &mut Cursor<'_>) -> std::result::Result<(), Stop> {
+    /// Takes in text between tags.
+    fn characters(&mut self, cursor: &mut Cursor<'_>) -> std::result::Result<(), Stop> {
         let end = memchr(b'<', cursor.rest().as_bytes()).ok_or(Stop::More)?;
-        let text = cursor.skip(end);
-        if text.bytes().all(is_space) {
+        let found = cursor.skip(end);
+        if found.bytes().all(is_space) {
             return Ok(());
         }
         if self.begins.is_empty() {
             return Err(Stop::damage("there is text outside its outermost element"));
         }
-        if text.contains("]]>") {
+        if found.contains("]]>") {
             return Err(Stop::damage("there is ]]> in a text"));
         }
-        element::check_references(text)
+        text::check_references(found)?;
+        self.text(&text::resolved(found))
+    }
+
+    fn text(&mut self, text: &str) -> std::result::Result<(), Stop> {
+        self.handler.text(text).map_err(|what| Stop::Fault(format!("a text {what}")))
     }
 
     fn fault(&self, what: &str) -> CoreError {
         CoreError::Unreadable(format!("line {}: {what}", self.lines + 1))
     }
-}
-
-/// A name or value as errors show it: not too long, and nothing that a terminal would obey.
-pub(crate) fn shown(text: &str) -> String {
-    text.chars().take(40).flat_map(char::escape_debug).collect()
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
 //! What is no element: declarations, instructions, comments, sections; document types are refused.
 
-use super::cursor::{Cursor, Stop};
+use super::cursor::{Cursor, Stop, shown};
 use super::decode::Decoder;
 use super::element::attribute;
-use super::shown;
 
 type Read<T> = Result<T, Stop>;
 
@@ -56,18 +55,18 @@ fn declaration(content: &str, decoder: &Decoder) -> Read<()> {
     }
 }
 
-/// Passes over a comment, or a section of plain text, after its `<`.
-pub fn comment_or_section(cursor: &mut Cursor<'_>, within_root: bool) -> Read<()> {
+/// Passes over a comment, or a section of plain text, after its `<`; returns the latter.
+pub fn comment_or_section<'a>(cursor: &mut Cursor<'a>, within_root: bool) -> Read<Option<&'a str>> {
     cursor.take_byte(b'!')?;
     match cursor.peek()? {
         b'-' => {
             cursor.take("--")?;
             cursor.until("--")?;
-            cursor.take_byte(b'>')
+            cursor.take_byte(b'>').map(|()| None)
         }
         b'[' if within_root => {
             cursor.take("[CDATA[")?;
-            cursor.until("]]>").map(|_| ())
+            cursor.until("]]>").map(Some)
         }
         _ => {
             cursor.take("DOCTYPE")?;

@@ -1,8 +1,8 @@
 //! Namespaces: which prefix stands for which, in nested scopes.
 
-use super::cursor::Stop;
-use super::element::{plain, same};
-use super::{MOST_BINDINGS, shown};
+use super::cursor::{Stop, shown};
+use super::limits::MOST_BINDINGS;
+use super::text::{plain, same};
 
 const XML: &str = "http://www.w3.org/XML/1998/namespace";
 const XMLNS: &str = "http://www.w3.org/2000/xmlns/";

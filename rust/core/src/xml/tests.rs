@@ -19,6 +19,35 @@ impl Handler for Log {
     }
 }
 
+/// Writes down texts alone.
+#[derive(Default)]
+struct Texts(Vec<String>);
+
+impl Handler for Texts {
+    fn start(&mut self, _: &Element<'_>) -> std::result::Result<(), String> {
+        Ok(())
+    }
+
+    fn text(&mut self, text: &str) -> std::result::Result<(), String> {
+        self.0.push(text.into());
+        if text == "refused" { Err("makes no sense".into()) } else { Ok(()) }
+    }
+
+    fn end(&mut self, _: &str, _: &str) {}
+}
+
+#[test]
+fn texts_come_with_their_references_resolved() {
+    let document = "<a>\n <b>1 &lt; &#50;&amp;3</b><!-- none --> <c>ü<![CDATA[&lt;]]></c></a>";
+    for length in [1, 5, document.len()] {
+        let mut reader = Reader::new(Texts::default());
+        document.as_bytes().chunks(length).try_for_each(|piece| reader.feed(piece)).unwrap();
+        assert_eq!(reader.finish().unwrap().0, ["1 < 2&3", "ü", "&lt;"]);
+    }
+    let refused = Reader::new(Texts::default()).feed(b"<a>\n<b>refused</b>").unwrap_err();
+    assert_eq!(refused.to_string(), "line 2: a text makes no sense");
+}
+
 fn read<'a>(pieces: impl IntoIterator<Item = &'a [u8]>) -> Result<Vec<String>> {
     let mut reader = Reader::new(Log::default());
     pieces.into_iter().try_for_each(|piece| reader.feed(piece))?;
