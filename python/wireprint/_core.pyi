@@ -347,35 +347,6 @@ def estimate_files(
     per_move: bool,
 ) -> list[Estimate | WireprintError]: ...
 
-class _PathParams(TypedDict):
-    centre_mm: tuple[float, float]
-    bed_half_mm: tuple[float, float]
-    bed_round: bool
-    strand_mm: float
-    filament_diameter_mm: float
-    first_layer_height_mm: float
-    print_mm_s: float
-    first_layer_mm_s: float
-    layer_mm_s: float
-    slow_mm_s: float
-    travel_mm_s: float
-    strategy: str
-    cooling: str
-    valve_halts: bool
-    pause_s: float
-    overshoot_mm: float
-    pressure_lag_s: float
-    pressure_advance: str
-    retract_mm: float
-    layer_retract_over_mm: float
-    retract_speed_mm_s: float
-    unretract_speed_mm_s: float
-    prime_mm: float
-    travel_lift_mm: float
-    skirt_rings: int
-    skirt_gap_mm: float
-    brim_rings: int
-
 class _Figures(TypedDict):
     strand_mm: float
     travel_mm: float
@@ -433,14 +404,6 @@ def format_moves(
 ) -> bytes: ...
 def insert_progress(text: bytes, estimate: Estimate, template: str) -> bytes: ...
 
-class _Head(TypedDict):
-    tip_radius_mm: float
-    slant_deg: float
-    cone_height_mm: float
-    block_radius_mm: float
-    carriage_height_mm: float
-    carriage_radius_mm: float
-
 class _Terms(TypedDict):
     within_mm: float
     strand_mm: float
@@ -448,22 +411,6 @@ class _Terms(TypedDict):
     caps: bool
     supports: bool
     span_limit_mm: float
-
-class _WireParams(TypedDict):
-    strand_mm: float
-    slab_min_mm: float
-    slab_max_mm: float
-    first_layer_height_mm: float
-    deviation_target_mm: float
-    print_mm_s: float
-    pause_s: float
-    pattern: str
-    placement: str
-    caps: bool
-    supports: bool
-    cap_spacing_mm: float
-    span_limit_mm: float
-    free_end_limit_mm: float
 
 class _Lids(TypedDict):
     #: Closed rings, and the slab of each: what lies within an odd number of those of a slab, the
@@ -535,9 +482,12 @@ class Wireframe:
     ) -> list[tuple[str, float, float, float, tuple[float, float, float]]]: ...
 
 def wireframe(
-    mesh: Mesh, head: _Head, params: _WireParams, layered: _Layered | None = None
+    mesh: Mesh,
+    head: Mapping[str, object],
+    params: Mapping[str, object],
+    layered: _Layered | None = None,
 ) -> Wireframe: ...
-def toolpath(wireframe: Wireframe, params: _PathParams) -> Toolpath: ...
+def toolpath(wireframe: Wireframe, params: Mapping[str, object]) -> Toolpath: ...
 
 _Point: TypeAlias = tuple[float, float, float]
 _Patch: TypeAlias = tuple[float, _Point, _Point, _Point]

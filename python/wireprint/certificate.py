@@ -181,7 +181,8 @@ class Certificate:
     @cached_property
     def hurried(self) -> tuple[Hurried, ...]:
         """Rule 5: strokes whose free ends are left before they hold."""
-        least_s, slow_mm_s = self.rules["settle_s"], self.rules["slow_mm_s"]
+        settling = self.rules["settling"]
+        least_s, slow_mm_s = settling["dwell_s"], settling["slow_mm_s"]
         return tuple(Hurried(*row, least_s, slow_mm_s) for row in self.core.hurried)
 
     @cached_property

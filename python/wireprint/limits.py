@@ -27,19 +27,6 @@ _STEPS_PER_MM: Final[_PerAxis] = (80.0, 80.0, 400.0, 500.0)
 _JUNCTION_DEVIATION: Final = 0.013
 
 
-class MarlinTable(TypedDict):
-    """What only Marlin reads; arrays are X, Y, Z, E."""
-
-    max_velocity: _PerAxis
-    max_accel: _PerAxis
-    jerk: _PerAxis
-    junction_deviation: float
-    print_accel: float
-    travel_accel: float
-    retract_accel: float
-    steps_per_mm: _PerAxis
-
-
 class RetractionTable(TypedDict):
     """What G10 and G11 do until a file says otherwise (mm, mm/s)."""
 
@@ -48,27 +35,10 @@ class RetractionTable(TypedDict):
     recover_speed_mm_s: float
 
 
-class MotionTable(TypedDict):
-    """Every limit (mm, mm/s, mm/s²), none left open but a delta's geometry."""
-
-    kinematics: str
-    max_velocity: float
-    max_accel: float
-    square_corner_velocity: float
-    minimum_cruise_ratio: float
-    max_z_velocity: float
-    max_z_accel: float
-    max_extrude_only_velocity: float
-    max_extrude_only_accel: float
-    instantaneous_corner_velocity: float
-    arc_resolution: float
-    delta_radius: float | None
-    arm_length: float | None
-    step_distance: float | None
-    endstop_height: float | None
-    #: None: the firmware's own defaults.
-    retraction: RetractionTable | None
-    marlin: MarlinTable
+#: Every limit (mm, mm/s, mm/s²) under the names of `settings.Motion`, none left open; `kinematics`
+#: with a delta's geometry, `retraction` (None: the firmware's own defaults), and what only Marlin
+#: reads under `marlin`, its arrays X, Y, Z, E. The core's `planner::Limits` takes it as it stands.
+MotionTable = dict[str, Any]
 
 
 def of_printer(printer: Printer) -> MotionTable:
@@ -139,39 +109,30 @@ def retraction_of(extruder: Extruder) -> RetractionTable:
 
 
 def _resolved(motion: Motion, kinematics: str, retraction: RetractionTable | None) -> MotionTable:
-    return {
-        "kinematics": kinematics,
-        "max_velocity": motion.max_velocity,
-        "max_accel": motion.max_accel,
-        "square_corner_velocity": motion.square_corner_velocity,
-        "minimum_cruise_ratio": motion.minimum_cruise_ratio,
-        "max_z_velocity": motion.max_z_velocity,
-        "max_z_accel": motion.max_z_accel,
-        "max_extrude_only_velocity": motion.max_extrude_only_velocity,
-        "max_extrude_only_accel": motion.max_extrude_only_accel,
-        "instantaneous_corner_velocity": motion.instantaneous_corner_velocity,
-        "arc_resolution": motion.arc_resolution,
-        "delta_radius": motion.delta_radius,
-        "arm_length": motion.arm_length,
-        "step_distance": motion.step_distance,
-        "endstop_height": motion.endstop_height,
+    limits = motion.model_dump()
+    if kinematics == "delta":
+        _require_geometry(limits)
+    return limits | {
+        "kinematics": {"delta": limits} if kinematics == "delta" else kinematics,
         "retraction": retraction,
         "marlin": _marlin(motion),
     }
 
 
-def _marlin(motion: Motion) -> MarlinTable:
+def _require_geometry(limits: Mapping[str, Any]) -> None:
+    for name in ("delta_radius", "arm_length", "step_distance", "endstop_height"):
+        if limits[name] is None:
+            msg = f"a delta needs motion.{name}"
+            raise SettingError(msg)
+
+
+def _marlin(motion: Motion) -> dict[str, Any]:
     """Limits for Marlin; where a profile states none, those of Klipper, axis by axis."""
     given = motion.marlin
     if given is not None:
-        return {
-            "max_velocity": given.max_velocity,
-            "max_accel": given.max_accel,
+        own = given.model_dump()
+        return own | {
             "jerk": given.jerk or _JERK,
-            "junction_deviation": given.junction_deviation,
-            "print_accel": given.print_accel,
-            "travel_accel": given.travel_accel,
-            "retract_accel": given.retract_accel,
             "steps_per_mm": given.steps_per_mm or _STEPS_PER_MM,
         }
     speed, accel = motion.max_velocity, motion.max_accel

@@ -145,16 +145,19 @@ def rules_of(settings: Settings) -> dict[str, Any]:
         "bed_contact_mm": head.nozzle_mm,
         "span_limit_mm": wire.span_limit_mm,
         "free_end_limit_mm": wire.free_end_limit_mm,
-        "bed_centre_mm": printer.bed.centre_mm,
-        "bed_half_mm": (width / 2, depth / 2),
-        "bed_round": printer.bed.shape == "round",
-        "height_mm": printer.bed.height_mm,
-        "max_feed_mm_s": printer.motion.max_velocity,
-        "max_flow_mm3_s": extruder.max_flow_mm3_s,
-        "max_filament_only_mm": FILAMENT_ONLY_MM[firmware],
-        "filament_area_mm2": math.pi / 4 * extruder.filament_diameter_mm**2,
-        "settle_s": SETTLED * settings.solidify_s,
-        "slow_mm_s": SLOW_MM_S,
+        "bed": {
+            "centre_mm": printer.bed.centre_mm,
+            "half_mm": (width / 2, depth / 2),
+            "round": printer.bed.shape == "round",
+            "height_mm": printer.bed.height_mm,
+        },
+        "limits": {
+            "feed_mm_s": printer.motion.max_velocity,
+            "flow_mm3_s": extruder.max_flow_mm3_s,
+            "filament_only_mm": FILAMENT_ONLY_MM[firmware],
+            "filament_area_mm2": math.pi / 4 * extruder.filament_diameter_mm**2,
+        },
+        "settling": {"dwell_s": SETTLED * settings.solidify_s, "slow_mm_s": SLOW_MM_S},
         "coldest_c": min(EXTRUDES_C, material.nozzle_c),
         "klipper": firmware == "klipper",
         "arc_resolution_mm": printer.motion.arc_resolution,
@@ -167,24 +170,17 @@ def rules_of(settings: Settings) -> dict[str, Any]:
 def _homing(printer: Printer) -> dict[str, Any]:
     """Return the way home: to the bed's low edge and down to the bed, unless told otherwise."""
     motion, homing, bed = printer.motion, printer.homing, printer.bed
-    arms_mm = None
-    centre, size = bed.centre_mm, bed.size_mm
-    low = [middle - extent / 2 for middle, extent in zip(centre, size, strict=True)]
-    at_mm = [
+    if printer.kinematics == "delta":
+        at_mm = (0.0, 0.0, motion.endstop_height or 0.0)
+        return {"at_mm": at_mm, "way": {"delta": motion.model_dump()}}
+    low = [middle - size / 2 for middle, size in zip(bed.centre_mm, bed.size_mm, strict=True)]
+    top = homing.z_end == "top"
+    at_mm = (
         low[0] if homing.x_mm is None else homing.x_mm,
         low[1] if homing.y_mm is None else homing.y_mm,
-        bed.height_mm if homing.z_end == "top" else 0.0,
-    ]
-    if printer.kinematics == "delta":
-        arms_mm = (motion.delta_radius, motion.arm_length)
-        at_mm = [0.0, 0.0, motion.endstop_height or 0.0]
-    return {
-        "at_mm": at_mm,
-        "z_first": homing.z_end == "top",
-        "lift_mm": homing.lift_mm,
-        "place_mm": homing.z_place_mm,
-        "arms_mm": arms_mm,
-    }
+        bed.height_mm if top else 0.0,
+    )
+    return {"at_mm": at_mm, "way": {"axes": homing.model_dump() | {"z_first": top}}}
 
 
 def terms_of(settings: Settings) -> _core._Terms:

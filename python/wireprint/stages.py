@@ -1,4 +1,8 @@
-"""Stages 2 to 5: a mesh becomes slices, contours and strands, and these become moves."""
+"""Stages 2 to 5: a mesh becomes slices, contours and strands, and these become moves.
+
+The core takes what it knows of a section's settings by their own names; here stands only what is
+resolved from several.
+"""
 
 from __future__ import annotations
 
@@ -35,35 +39,18 @@ def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -
     ModelError
         Where no slice has a contour.
     """
-    head, wire = settings.printer.head, settings.wire
-    return _core.wireframe(
-        mesh,
-        {
-            "tip_radius_mm": head.tip_radius_mm,
-            "slant_deg": head.slant_deg,
-            "cone_height_mm": head.cone_height_mm,
-            "block_radius_mm": head.block_radius_mm,
-            "carriage_height_mm": head.carriage_height_mm,
-            "carriage_radius_mm": head.carriage_radius_mm,
-        },
-        {
-            "strand_mm": head.nozzle_mm,
-            "slab_min_mm": settings.slab_min_mm,
-            "slab_max_mm": settings.slab_max_mm,
-            "first_layer_height_mm": settings.first_layer_height_mm,
-            "deviation_target_mm": wire.deviation_target_mm,
-            "print_mm_s": settings.print_mm_s,
-            "pause_s": settings.pause_s,
-            "pattern": wire.pattern,
-            "placement": wire.placement,
-            "caps": wire.caps,
-            "supports": wire.supports == "wire",
-            "cap_spacing_mm": wire.cap_spacing_mm,
-            "span_limit_mm": wire.span_limit_mm,
-            "free_end_limit_mm": wire.free_end_limit_mm,
-        },
-        layered,
-    )
+    wire = settings.wire
+    resolved = {
+        "strand_mm": settings.printer.head.nozzle_mm,
+        "slab_min_mm": settings.slab_min_mm,
+        "slab_max_mm": settings.slab_max_mm,
+        "first_layer_height_mm": settings.first_layer_height_mm,
+        "print_mm_s": settings.print_mm_s,
+        "pause_s": settings.pause_s,
+        "supports": wire.supports == "wire",
+    }
+    head = settings.printer.head.model_dump()
+    return _core.wireframe(mesh, head, wire.model_dump() | resolved, layered)
 
 
 def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
@@ -81,41 +68,26 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
     Toolpath
         Moves as parallel numpy arrays, in the machine's coordinates.
     """
-    printer, wire, regions = settings.printer, settings.wire, settings.regions
-    width, depth = printer.bed.size_mm
-    flavor = FLAVORS[printer.gcode.flavor]
-    return _core.toolpath(
-        wireframe,
-        {
-            "centre_mm": printer.bed.centre_mm,
-            "bed_half_mm": (width / 2, depth / 2),
-            "bed_round": printer.bed.shape == "round",
-            "strand_mm": printer.head.nozzle_mm,
-            "filament_diameter_mm": printer.extruder.filament_diameter_mm,
-            "first_layer_height_mm": settings.first_layer_height_mm,
-            "print_mm_s": settings.print_mm_s,
-            "first_layer_mm_s": settings.first_layer_mm_s,
-            "layer_mm_s": min(regions.print_mm_s, _melting_mm_s(settings)),
-            "slow_mm_s": wire.slow_mm_s,
-            "travel_mm_s": printer.speeds.travel_mm_s,
-            "strategy": wire.strategy,
-            "cooling": printer.cooling.method,
-            "valve_halts": flavor.valve_halts,
-            "pause_s": settings.pause_s,
-            "overshoot_mm": wire.overshoot_mm,
-            "pressure_lag_s": printer.extruder.pressure_lag_s,
-            "pressure_advance": flavor.pressure_advance(printer.gcode),
-            "retract_mm": printer.extruder.retract_mm,
-            "layer_retract_over_mm": regions.retract_over_mm,
-            "retract_speed_mm_s": printer.extruder.retract_speed_mm_s,
-            "unretract_speed_mm_s": printer.extruder.unretract_speed_mm_s,
-            "prime_mm": wire.prime_mm,
-            "travel_lift_mm": wire.travel_lift_mm,
-            "skirt_rings": wire.skirt_rings,
-            "skirt_gap_mm": wire.skirt_gap_mm,
-            "brim_rings": wire.brim_rings,
-        },
-    )
+    printer, regions = settings.printer, settings.regions
+    flavor, cooling = FLAVORS[printer.gcode.flavor], printer.cooling.method
+    half = tuple(size / 2 for size in printer.bed.size_mm)
+    halts = cooling == "valve" and flavor.valve_halts
+    resolved = {
+        "centre_mm": printer.bed.centre_mm,
+        "plate": {"round": half[0]} if printer.bed.shape == "round" else {"rectangle": half},
+        "strand_mm": printer.head.nozzle_mm,
+        "first_layer_height_mm": settings.first_layer_height_mm,
+        "print_mm_s": settings.print_mm_s,
+        "first_layer_mm_s": settings.first_layer_mm_s,
+        "layer_mm_s": min(regions.print_mm_s, _melting_mm_s(settings)),
+        "cooling": "halting_valve" if halts else cooling,
+        "pause_s": settings.pause_s,
+        "pressure_advance": flavor.pressure_advance(printer.gcode),
+        "layer_retract_over_mm": regions.retract_over_mm,
+    }
+    own = (settings.wire, printer.speeds, printer.extruder)
+    given = {name: value for section in own for name, value in section.model_dump().items()}
+    return _core.toolpath(wireframe, given | resolved)
 
 
 def _melting_mm_s(settings: Settings) -> float:

@@ -5,12 +5,15 @@
 
 mod sweep;
 
+use serde::Deserialize;
+
 use crate::error::{CoreError, Result};
 
 pub use sweep::Hit;
 
 /// The head: a flat tip, a conical flank, the heater block, the carriage.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "Figures")]
 pub struct Head {
     /// Radius of the nozzle's flat tip, mm.
     pub tip_radius: f64,
@@ -24,6 +27,33 @@ pub struct Head {
     pub carriage_height: f64,
     /// Radius of the carriage, mm.
     pub carriage_radius: f64,
+}
+
+/// A head's figures by the names of a profile's `[head]` table: mm, and degrees from the horizontal.
+#[derive(Deserialize)]
+#[allow(clippy::struct_field_names, reason = "the profile's names carry the unit")]
+struct Figures {
+    tip_radius_mm: f64,
+    slant_deg: f64,
+    cone_height_mm: f64,
+    block_radius_mm: f64,
+    carriage_height_mm: f64,
+    carriage_radius_mm: f64,
+}
+
+impl TryFrom<Figures> for Head {
+    type Error = CoreError;
+
+    fn try_from(of: Figures) -> Result<Self> {
+        Self::new(
+            of.tip_radius_mm,
+            of.slant_deg,
+            of.cone_height_mm,
+            of.block_radius_mm,
+            of.carriage_height_mm,
+            of.carriage_radius_mm,
+        )
+    }
 }
 
 impl Head {

@@ -5,107 +5,37 @@ use std::collections::{BTreeMap, HashSet};
 use glam::{DVec2, DVec3};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
-use wireprint_core::check::{
-    self, Bed, Bound as Limit, Limits, LooseEnd, Obstacle, Rules, Settling,
-};
+use pyo3::types::{PyBytes, PyDict};
+use serde::Deserialize;
+use wireprint_core::check::{self, Bound as Limit, LooseEnd, Obstacle, Rules};
 use wireprint_core::fidelity::{self, Terms};
 use wireprint_core::gcode::arc::Fineness;
-use wireprint_core::gcode::homing::{Homing, Way};
+use wireprint_core::gcode::homing::Homing;
 use wireprint_core::gcode::machine::{Dialect, MachineSettings};
 use wireprint_core::gcode::retraction::Retraction;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
 use crate::mesh::Mesh;
-use crate::retraction::RetractionTable;
-use crate::wireframe::HeadArgs;
+use crate::params::Params;
 
 type Point = (f64, f64, f64);
 
-/// What a file is judged by, as `wireprint.certificate` resolves it: every key is there.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct RulesTable {
-    head: HeadArgs,
-    strand_mm: f64,
-    bed_contact_mm: f64,
-    span_limit_mm: f64,
-    free_end_limit_mm: f64,
-    bed_centre_mm: [f64; 2],
-    bed_half_mm: [f64; 2],
-    bed_round: bool,
-    height_mm: f64,
-    max_feed_mm_s: f64,
-    max_flow_mm3_s: f64,
-    max_filament_only_mm: f64,
-    filament_area_mm2: f64,
-    settle_s: f64,
-    slow_mm_s: f64,
-    coldest_c: f64,
+/// What reads a file, as `wireprint.rules` resolves it.
+#[derive(Deserialize)]
+struct Reading {
     klipper: bool,
     arc_resolution_mm: f64,
-    homing: HomingTable,
-    retraction: Option<RetractionTable>,
+    strand_mm: f64,
+    homing: Homing,
+    retraction: Option<Retraction>,
     macros: Vec<(String, String)>,
-}
-
-/// What G28 does; `arms_mm` of a delta are its radius and the length of its arms.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-struct HomingTable {
-    at_mm: [f64; 3],
-    z_first: bool,
-    lift_mm: f64,
-    place_mm: Option<[f64; 2]>,
-    arms_mm: Option<[f64; 2]>,
-}
-
-impl HomingTable {
-    fn core(&self) -> Homing {
-        let way = match self.arms_mm {
-            Some([radius, arm]) => Way::Delta { radius, arm },
-            None => Way::Axes {
-                z_first: self.z_first,
-                lift: self.lift_mm,
-                place: self.place_mm.map(DVec2::from),
-            },
-        };
-        Homing { at: self.at_mm.into(), way }
-    }
 }
 
 /// Chords may stray from an arc by this share of a strand's diameter: a joint's squash is half of it.
 const ARC_SAGITTA: f64 = 1.0 / 32.0;
 
-impl RulesTable {
-    fn rules(&self) -> PyResult<Rules> {
-        require_positive("strand_mm", self.strand_mm)?;
-        require_positive("bed_contact_mm", self.bed_contact_mm)?;
-        require_positive("arc_resolution_mm", self.arc_resolution_mm)?;
-        Ok(Rules {
-            head: self.head.core()?,
-            strand: self.strand_mm,
-            bed_contact: self.bed_contact_mm,
-            span_limit: self.span_limit_mm,
-            free_end_limit: self.free_end_limit_mm,
-            bed: Bed {
-                centre: DVec2::from(self.bed_centre_mm),
-                half: DVec2::from(self.bed_half_mm),
-                round: self.bed_round,
-                height: self.height_mm,
-            },
-            limits: Limits {
-                feed: self.max_feed_mm_s,
-                flow: self.max_flow_mm3_s,
-                filament_only: self.max_filament_only_mm,
-                filament_area: self.filament_area_mm2,
-            },
-            settling: Settling { dwell: self.settle_s, slow: self.slow_mm_s },
-            coldest: self.coldest_c,
-        })
-    }
-
+impl Reading {
     fn machine(&self) -> MachineSettings {
         let default = if self.klipper { Retraction::KLIPPER } else { Retraction::MARLIN };
         MachineSettings {
@@ -114,37 +44,10 @@ impl RulesTable {
                 resolution: self.arc_resolution_mm,
                 sagitta: Some(ARC_SAGITTA * self.strand_mm),
             },
-            homing: self.homing.core(),
-            retraction: self.retraction.as_ref().map_or(default, RetractionTable::core),
+            homing: self.homing,
+            retraction: self.retraction.unwrap_or(default),
             relative_extrusion: false,
         }
-    }
-}
-
-/// What coverage counts, as `wireprint.certificate` resolves it: every key is there.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct TermsTable {
-    within_mm: f64,
-    strand_mm: f64,
-    level_sine: f64,
-    caps: bool,
-    supports: bool,
-    span_limit_mm: f64,
-}
-
-impl TermsTable {
-    fn core(&self) -> PyResult<Terms> {
-        require_positive("within_mm", self.within_mm)?;
-        require_positive("strand_mm", self.strand_mm)?;
-        Ok(Terms {
-            within: self.within_mm,
-            strand: self.strand_mm,
-            level: self.level_sine,
-            caps: self.caps,
-            supports: self.supports,
-            span: self.span_limit_mm,
-        })
     }
 }
 
@@ -328,10 +231,10 @@ impl Certificate {
         centre_mm: [f64; 2],
         aside: HashSet<String>,
         inside: HashSet<String>,
-        terms: TermsTable,
+        terms: Params<Terms>,
         deviation: bool,
     ) -> PyResult<FidelityRow> {
-        let terms = terms.core()?;
+        let terms = checked(terms)?;
         let shift = DVec2::from(centre_mm).extend(0.0);
         let is_in = |strand: usize, names: &HashSet<String>| {
             let feature = self.core.strand_features.get(strand).copied().unwrap_or(0);
@@ -379,6 +282,12 @@ fn moved(strands: impl Iterator<Item = [DVec3; 2]>, by: DVec3) -> Vec<[DVec3; 2]
     strands.map(|ends| ends.map(|p| p - by)).collect()
 }
 
+fn checked(Params(terms): Params<Terms>) -> PyResult<Terms> {
+    require_positive("within_mm", terms.within)?;
+    require_positive("strand_mm", terms.strand)?;
+    Ok(terms)
+}
+
 fn require_positive(name: &str, value: f64) -> PyResult<()> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
@@ -409,12 +318,15 @@ fn segments(
 pub fn certify(
     py: Python<'_>,
     text: &Bound<'_, PyBytes>,
-    rules: RulesTable,
+    rules: &Bound<'_, PyDict>,
 ) -> PyResult<Certificate> {
-    let (machine, table) = (rules.machine(), &rules);
-    let rules = table.rules()?;
-    let text = text.as_bytes();
-    let core = detached(py, || check::certify_text(text, machine, &table.macros, &rules))?;
+    let Params(reading) = rules.extract::<Params<Reading>>()?;
+    let Params(rules) = rules.extract::<Params<Rules>>()?;
+    require_positive("strand_mm", rules.strand)?;
+    require_positive("bed_contact_mm", rules.bed_contact)?;
+    require_positive("arc_resolution_mm", reading.arc_resolution_mm)?;
+    let (text, machine) = (text.as_bytes(), reading.machine());
+    let core = detached(py, || check::certify_text(text, machine, &reading.macros, &rules))?;
     Ok(Certificate { core })
 }
 
@@ -434,9 +346,9 @@ pub fn coverage(
     py: Python<'_>,
     mesh: &Mesh,
     strands: PyReadonlyArray3<'_, f64>,
-    terms: TermsTable,
+    terms: Params<Terms>,
 ) -> PyResult<CoverageRow> {
-    let (terms, strands) = (terms.core()?, ends(&strands)?);
+    let (terms, strands) = (checked(terms)?, ends(&strands)?);
     let found = py.detach(|| fidelity::coverage(mesh.core(), &strands, &terms));
     Ok(coverage_row(&found))
 }

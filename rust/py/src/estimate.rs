@@ -6,97 +6,11 @@ use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use wireprint_core::planner::{
-    self, Allowances, DeltaGeometry, Estimate as CoreEstimate, Firmware, Kinematics, Limits,
-    MarlinLimits, Options,
+    self, Allowances, Estimate as CoreEstimate, Firmware, Limits, Options,
 };
 
-use crate::errors::{SettingError, detached, to_py};
-use crate::retraction::RetractionTable;
-
-/// The limits as `wireprint.limits` resolves them: every key is there.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct MotionTable {
-    kinematics: String,
-    max_velocity: f64,
-    max_accel: f64,
-    square_corner_velocity: f64,
-    minimum_cruise_ratio: f64,
-    max_z_velocity: f64,
-    max_z_accel: f64,
-    max_extrude_only_velocity: f64,
-    max_extrude_only_accel: f64,
-    instantaneous_corner_velocity: f64,
-    arc_resolution: f64,
-    delta_radius: Option<f64>,
-    arm_length: Option<f64>,
-    step_distance: Option<f64>,
-    endstop_height: Option<f64>,
-    retraction: Option<RetractionTable>,
-    marlin: MarlinTable,
-}
-
-/// What only Marlin reads.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct MarlinTable {
-    max_velocity: [f64; 4],
-    max_accel: [f64; 4],
-    jerk: [f64; 4],
-    junction_deviation: f64,
-    print_accel: f64,
-    travel_accel: f64,
-    retract_accel: f64,
-    steps_per_mm: [f64; 4],
-}
-
-impl MotionTable {
-    fn limits(&self) -> PyResult<Limits> {
-        Ok(Limits {
-            kinematics: self.kinematics()?,
-            max_velocity: self.max_velocity,
-            max_accel: self.max_accel,
-            square_corner_velocity: self.square_corner_velocity,
-            minimum_cruise_ratio: self.minimum_cruise_ratio,
-            max_z_velocity: self.max_z_velocity,
-            max_z_accel: self.max_z_accel,
-            max_extrude_only_velocity: self.max_extrude_only_velocity,
-            max_extrude_only_accel: self.max_extrude_only_accel,
-            instantaneous_corner_velocity: self.instantaneous_corner_velocity,
-            arc_resolution: self.arc_resolution,
-            retraction: self.retraction.as_ref().map(RetractionTable::core),
-            marlin: MarlinLimits {
-                max_velocity: self.marlin.max_velocity,
-                max_accel: self.marlin.max_accel,
-                jerk: self.marlin.jerk,
-                junction_deviation: self.marlin.junction_deviation,
-                print_accel: self.marlin.print_accel,
-                travel_accel: self.marlin.travel_accel,
-                retract_accel: self.marlin.retract_accel,
-                steps_per_mm: self.marlin.steps_per_mm,
-            },
-        })
-    }
-
-    fn kinematics(&self) -> PyResult<Kinematics> {
-        let given = |name: &str, value: Option<f64>| {
-            value.ok_or_else(|| SettingError::new_err(format!("a delta needs motion.{name}")))
-        };
-        match self.kinematics.as_str() {
-            "cartesian" => Ok(Kinematics::Cartesian),
-            "corexy" => Ok(Kinematics::CoreXy),
-            "delta" => Ok(Kinematics::Delta(DeltaGeometry {
-                radius: given("delta_radius", self.delta_radius)?,
-                arm_length: given("arm_length", self.arm_length)?,
-                step_distance: given("step_distance", self.step_distance)?,
-                endstop_height: given("endstop_height", self.endstop_height)?,
-            })),
-            other => Err(SettingError::new_err(format!(
-                "kinematics is {other:?}; it must be cartesian, corexy or delta"
-            ))),
-        }
-    }
-}
+use crate::errors::{detached, to_py};
+use crate::params::Params;
 
 /// The time that a file takes, and where it goes; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
@@ -220,24 +134,10 @@ fn column<'py, T: numpy::Element>(py: Python<'py>, values: &[T]) -> Bound<'py, P
     array
 }
 
-fn options(
-    firmware: &str,
-    allowances_s: (f64, f64, f64, f64),
-    per_move: bool,
-) -> PyResult<Options> {
-    let firmware = match firmware {
-        "klipper" => Firmware::Klipper,
-        "marlin" => Firmware::MarlinJunctionDeviation,
-        "marlin-jerk" => Firmware::MarlinJerk,
-        other => {
-            return Err(SettingError::new_err(format!(
-                "firmware is {other:?}; it must be klipper, marlin or marlin-jerk"
-            )));
-        }
-    };
+fn options(firmware: Firmware, allowances_s: (f64, f64, f64, f64), per_move: bool) -> Options {
     let (homing_s, nozzle_heating_s, bed_heating_s, tool_change_s) = allowances_s;
     let allowances = Allowances { homing_s, nozzle_heating_s, bed_heating_s, tool_change_s };
-    Ok(Options { firmware, allowances, per_move })
+    Options { firmware, allowances, per_move }
 }
 
 /// Estimates G-code in memory.
@@ -249,12 +149,12 @@ fn options(
 pub fn estimate(
     py: Python<'_>,
     text: &Bound<'_, PyBytes>,
-    limits: MotionTable,
-    firmware: &str,
+    limits: Params<Limits>,
+    firmware: Params<Firmware>,
     allowances_s: (f64, f64, f64, f64),
     per_move: bool,
 ) -> PyResult<Estimate> {
-    let (limits, options) = (limits.limits()?, options(firmware, allowances_s, per_move)?);
+    let (limits, options) = (limits.0, options(firmware.0, allowances_s, per_move));
     let text = text.as_bytes();
     let core = detached(py, || planner::estimate(text, &limits, &options))?;
     Ok(Estimate { core })
@@ -269,12 +169,12 @@ pub fn estimate(
 pub fn estimate_files(
     py: Python<'_>,
     paths: Vec<PathBuf>,
-    limits: MotionTable,
-    firmware: &str,
+    limits: Params<Limits>,
+    firmware: Params<Firmware>,
     allowances_s: (f64, f64, f64, f64),
     per_move: bool,
 ) -> PyResult<Vec<Py<PyAny>>> {
-    let (limits, options) = (limits.limits()?, options(firmware, allowances_s, per_move)?);
+    let (limits, options) = (limits.0, options(firmware.0, allowances_s, per_move));
     limits.validate().map_err(to_py)?;
     py.detach(|| planner::estimate_files(&paths, &limits, &options))
         .into_iter()

@@ -1,17 +1,18 @@
 //! `wireprint._core.Toolpath`.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use wireprint_core::strand::{KINDS, Kind};
 use wireprint_core::toolpath as core;
 
-use wireprint_core::toolpath::{Advance, Cooling, PathParams, Plate, Strategy};
+use wireprint_core::toolpath::PathParams;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
 use crate::mesh::Mesh;
+use crate::params::Params;
 use crate::wireframe::Wireframe;
 
 /// Every move of the head, in order; immutable.
@@ -28,101 +29,14 @@ impl Toolpath {
     }
 }
 
-/// What the toolpath depends on; the names are those of the settings.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct PathArgs {
-    centre_mm: [f64; 2],
-    bed_half_mm: [f64; 2],
-    bed_round: bool,
-    strand_mm: f64,
-    filament_diameter_mm: f64,
-    first_layer_height_mm: f64,
-    print_mm_s: f64,
-    first_layer_mm_s: f64,
-    layer_mm_s: f64,
-    slow_mm_s: f64,
-    travel_mm_s: f64,
-    strategy: String,
-    cooling: String,
-    valve_halts: bool,
-    pause_s: f64,
-    overshoot_mm: f64,
-    pressure_lag_s: f64,
-    pressure_advance: String,
-    retract_mm: f64,
-    layer_retract_over_mm: f64,
-    retract_speed_mm_s: f64,
-    unretract_speed_mm_s: f64,
-    prime_mm: f64,
-    travel_lift_mm: f64,
-    skirt_rings: u32,
-    skirt_gap_mm: f64,
-    brim_rings: u32,
-}
-
-impl PathArgs {
-    fn core(&self) -> PyResult<PathParams> {
-        let strategy = match self.strategy.as_str() {
-            "pause" => Strategy::Pause,
-            "slow" => Strategy::Slow,
-            "overshoot" => Strategy::Overshoot,
-            other => return Err(SettingError::new_err(format!("strategy {other:?} is unknown"))),
-        };
-        let cooling = match self.cooling.as_str() {
-            "valve" if self.valve_halts => Cooling::HaltingValve,
-            "valve" => Cooling::Valve,
-            "fan" => Cooling::Fan,
-            "none" => Cooling::Still,
-            other => return Err(SettingError::new_err(format!("cooling {other:?} is unknown"))),
-        };
-        let advance = match self.pressure_advance.as_str() {
-            "all" => Advance::All,
-            "sideways" => Advance::Sideways,
-            "none" => Advance::None,
-            other => {
-                let message = format!("pressure_advance {other:?} is unknown");
-                return Err(SettingError::new_err(message));
-            }
-        };
-        Ok(PathParams {
-            centre: DVec2::from_array(self.centre_mm),
-            plate: if self.bed_round {
-                Plate::Round(self.bed_half_mm[0])
-            } else {
-                Plate::Rectangle(self.bed_half_mm.into())
-            },
-            strand: self.strand_mm,
-            filament: self.filament_diameter_mm,
-            first_layer: self.first_layer_height_mm,
-            print_speed: self.print_mm_s,
-            bed_speed: self.first_layer_mm_s,
-            layer_speed: self.layer_mm_s,
-            slow_speed: self.slow_mm_s,
-            travel_speed: self.travel_mm_s,
-            strategy,
-            cooling,
-            pause: self.pause_s,
-            overshoot: self.overshoot_mm,
-            pressure_lag: self.pressure_lag_s,
-            advance,
-            retract: self.retract_mm,
-            layer_retract_over: self.layer_retract_over_mm,
-            retract_speed: self.retract_speed_mm_s,
-            unretract_speed: self.unretract_speed_mm_s,
-            prime: self.prime_mm,
-            travel_lift: self.travel_lift_mm,
-            skirt_rings: self.skirt_rings,
-            skirt_gap: self.skirt_gap_mm,
-            brim_rings: self.brim_rings,
-        })
-    }
-}
-
 /// The moves that print a wireframe.
 #[pyfunction]
-pub fn toolpath(py: Python<'_>, wireframe: &Wireframe, params: PathArgs) -> PyResult<Toolpath> {
-    let params = params.core()?;
+pub fn toolpath(
+    py: Python<'_>,
+    wireframe: &Wireframe,
+    params: Params<PathParams>,
+) -> PyResult<Toolpath> {
+    let params = params.0;
     let mesh = Some(wireframe.mesh().clone_ref(py));
     let wireframe = wireframe.core();
     let core = detached(py, || Ok(core::toolpath(&wireframe.strands, &params)))?;

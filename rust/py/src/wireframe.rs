@@ -12,101 +12,13 @@ use wireprint_core::strand::Kind;
 use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe as core;
 use wireprint_core::wireframe::frame::Reason;
-use wireprint_core::wireframe::params::{Pattern, WireParams};
-use wireprint_core::wireframe::place::zigzag::Placement;
+use wireprint_core::wireframe::params::WireParams;
 
 use crate::arrays;
-use crate::errors::{SettingError, detached, in_pool, to_py};
+use crate::errors::{SettingError, detached, in_pool};
 use crate::layered::{LayeredArgs, layers};
 use crate::mesh::Mesh;
-
-/// The head's figures, by the names of a printer profile's `[head]` table.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct HeadArgs {
-    tip_radius_mm: f64,
-    slant_deg: f64,
-    cone_height_mm: f64,
-    block_radius_mm: f64,
-    carriage_height_mm: f64,
-    carriage_radius_mm: f64,
-}
-
-impl HeadArgs {
-    /// The core's head.
-    ///
-    /// # Errors
-    /// `SettingError` where a figure is out of its bounds.
-    pub fn core(&self) -> PyResult<Head> {
-        Head::new(
-            self.tip_radius_mm,
-            self.slant_deg,
-            self.cone_height_mm,
-            self.block_radius_mm,
-            self.carriage_height_mm,
-            self.carriage_radius_mm,
-        )
-        .map_err(to_py)
-    }
-}
-
-/// What the wireframe depends on; the names are those of the settings.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct WireArgs {
-    strand_mm: f64,
-    slab_min_mm: f64,
-    slab_max_mm: f64,
-    first_layer_height_mm: f64,
-    deviation_target_mm: f64,
-    print_mm_s: f64,
-    pause_s: f64,
-    pattern: String,
-    placement: String,
-    caps: bool,
-    supports: bool,
-    cap_spacing_mm: f64,
-    span_limit_mm: f64,
-    free_end_limit_mm: f64,
-}
-
-impl WireArgs {
-    fn heights(&self) -> HeightParams {
-        HeightParams {
-            slab_min: self.slab_min_mm,
-            slab_max: self.slab_max_mm,
-            first_layer: self.first_layer_height_mm,
-            strand: self.strand_mm,
-            free_end: self.free_end_limit_mm,
-            deviation_target: self.deviation_target_mm,
-            speed: self.print_mm_s,
-            pause: self.pause_s,
-        }
-    }
-
-    fn wire(&self) -> PyResult<WireParams> {
-        let pattern = match self.pattern.as_str() {
-            "zigzag" => Pattern::Zigzag,
-            "peaks" => Pattern::Peaks,
-            other => return Err(SettingError::new_err(format!("pattern {other:?} is unknown"))),
-        };
-        let placement = match self.placement.as_str() {
-            "optimal" => Placement::Optimal,
-            "paper" => Placement::Paper,
-            other => return Err(SettingError::new_err(format!("placement {other:?} is unknown"))),
-        };
-        Ok(WireParams {
-            strand: self.strand_mm,
-            pattern,
-            placement,
-            caps: self.caps,
-            supports: self.supports,
-            cap_spacing: self.cap_spacing_mm,
-            span_limit: self.span_limit_mm,
-            free_end_limit: self.free_end_limit_mm,
-        })
-    }
-}
+use crate::params::Params;
 
 /// A strip as Python sees it: lower contours, upper contours, area mm².
 type StripTuple = (Vec<u32>, Vec<u32>, f64);
@@ -136,12 +48,13 @@ impl Wireframe {
 pub fn wireframe(
     py: Python<'_>,
     mesh: &Bound<'_, Mesh>,
-    head: HeadArgs,
-    params: WireArgs,
+    head: Params<Head>,
+    params: &Bound<'_, PyDict>,
     layered: Option<LayeredArgs>,
 ) -> PyResult<Wireframe> {
-    let head = head.core()?;
-    let (heights, wire) = (params.heights(), params.wire()?);
+    let head = head.0;
+    let (Params(heights), Params(wire)) =
+        (params.extract::<Params<HeightParams>>()?, params.extract::<Params<WireParams>>()?);
     let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
     let model = mesh.get().core();
     let build = || {

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use rayon::prelude::*;
+use serde::Deserialize;
 
 use super::left_out::LeftOut;
 use super::patches::{Bare, Patch, patches};
@@ -20,19 +21,23 @@ const AT_ONCE: usize = 1 << 20;
 const PROBES: f64 = 65536.0;
 
 /// What counts as covered, and which surface counts at all.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub struct Terms {
     /// Distance from a strand up to which surface is covered, mm.
+    #[serde(rename = "within_mm")]
     pub within: f64,
     /// Diameter of a strand, mm. Surface in a gap of half of that shows no strand.
+    #[serde(rename = "strand_mm")]
     pub strand: f64,
     /// Sine of the steepest slope that counts as level, 0–1.
+    #[serde(rename = "level_sine")]
     pub level: f64,
     /// Whether level faces are to be closed.
     pub caps: bool,
     /// Whether what would hang in the air is to be supported.
     pub supports: bool,
     /// Longest stretch held at both ends, mm: level faces wider than that want supports.
+    #[serde(rename = "span_limit_mm")]
     pub span: f64,
 }
 

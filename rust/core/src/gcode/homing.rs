@@ -1,6 +1,7 @@
 //! The way home: which strokes a G28 makes.
 
 use glam::{DVec2, DVec3};
+use serde::Deserialize;
 
 /// Angles of a delta's towers, as parts of a turn; both Klipper and Marlin put them there.
 const TOWERS: [f64; 3] = [7.0 / 12.0, 11.0 / 12.0, 3.0 / 12.0];
@@ -9,31 +10,37 @@ const TOWERS: [f64; 3] = [7.0 / 12.0, 11.0 / 12.0, 3.0 / 12.0];
 const STROKES: usize = 5;
 
 /// What a printer does when it is told to home.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub struct Homing {
     /// Where the tip is when all axes are home, mm.
+    #[serde(rename = "at_mm")]
     pub at: DVec3,
     /// The way there.
     pub way: Way,
 }
 
 /// The way home.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Way {
     /// Each axis by itself: x, y, then z.
     Axes {
         /// Whether z comes first, as it does where its end is at the top.
         z_first: bool,
         /// Height that the tip is raised to, if it is lower, before x or y is homed, mm.
+        #[serde(rename = "lift_mm")]
         lift: f64,
         /// Where z is homed, mm; `None`: wherever the head is.
+        #[serde(rename = "z_place_mm")]
         place: Option<DVec2>,
     },
     /// A delta: whatever is named, all carriages climb to their ends.
     Delta {
         /// Horizontal distance from the effector's joints to the towers when centred, mm.
+        #[serde(rename = "delta_radius")]
         radius: f64,
         /// Length of the arms, mm.
+        #[serde(rename = "arm_length")]
         arm: f64,
     },
 }

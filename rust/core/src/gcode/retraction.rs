@@ -1,19 +1,25 @@
 //! Retraction that the firmware does by itself: G10 and G11.
 
+use serde::Deserialize;
+
 use super::command::Command;
 
 /// How far and how fast; what G10 pulls back and G11 pushes forward.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(default = "Retraction::marlin")]
 pub struct Retraction {
     /// Filament pulled back, mm.
+    #[serde(rename = "length_mm")]
     pub length: f64,
     /// The same for `G10 S1`, before a change of tools, mm.
     pub swap_length: f64,
     /// Speed of the filament then, mm/s.
+    #[serde(rename = "speed_mm_s")]
     pub speed: f64,
     /// Filament pushed forward beyond what was pulled back, mm.
     pub extra: f64,
     /// Speed of the filament then, mm/s.
+    #[serde(rename = "recover_speed_mm_s")]
     pub recover_speed: f64,
     /// By which the head is lifted meanwhile, mm.
     pub hop: f64,
@@ -32,6 +38,11 @@ impl Retraction {
     /// Klipper's defaults: `[firmware_retraction]` in its reference of configurations.
     pub const KLIPPER: Self =
         Self { length: 0.0, swap_length: 0.0, speed: 20.0, recover_speed: 10.0, ..Self::MARLIN };
+
+    /// What a profile does not state is as Marlin has it.
+    fn marlin() -> Self {
+        Self::MARLIN
+    }
 
     /// M207, M208 and `SET_RETRACTION`, whichever firmware has them; whether it was one of them.
     pub(super) fn command(&mut self, command: &Command<'_>) -> bool {

@@ -1,6 +1,7 @@
 //! What a machine can do, as its configuration states it.
 
 use glam::DVec3;
+use serde::Deserialize;
 
 use crate::error::{CoreError, Result};
 use crate::gcode::arc::Fineness;
@@ -9,18 +10,22 @@ use crate::gcode::machine::{Dialect, MachineSettings};
 use crate::gcode::retraction::Retraction;
 
 /// Whose planner is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Firmware {
     /// Klipper: square corner velocity, minimum cruise ratio.
     Klipper,
     /// Marlin 2.1 with junction deviation.
+    #[serde(rename = "marlin")]
     MarlinJunctionDeviation,
     /// Marlin 2.1 with classic jerk.
+    #[serde(rename = "marlin-jerk")]
     MarlinJerk,
 }
 
 /// How motors move the head.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Kinematics {
     /// A motor for each axis.
     Cartesian,
@@ -31,9 +36,10 @@ pub enum Kinematics {
 }
 
 /// The measures of a delta printer, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub struct DeltaGeometry {
     /// Horizontal distance from the effector's joints to the towers when centred.
+    #[serde(rename = "delta_radius")]
     pub radius: f64,
     /// Length of the arms.
     pub arm_length: f64,
@@ -56,7 +62,7 @@ impl DeltaGeometry {
 }
 
 /// Limits that only Marlin has; arrays are X, Y, Z, E.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub struct MarlinLimits {
     /// M203, mm/s.
     pub max_velocity: [f64; 4],
@@ -77,7 +83,7 @@ pub struct MarlinLimits {
 }
 
 /// The limits of a machine.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub struct Limits {
     /// How motors move the head.
     pub kinematics: Kinematics,

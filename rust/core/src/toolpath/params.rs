@@ -3,9 +3,11 @@
 use std::f64::consts::FRAC_PI_4;
 
 use glam::DVec2;
+use serde::Deserialize;
 
 /// The bed, about its centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Plate {
     /// A disc of this radius, mm.
     Round(f64),
@@ -25,7 +27,8 @@ impl Plate {
 }
 
 /// What makes a stroke that ends in the air hold its shape (paper, "Experimentation").
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Strategy {
     /// Full speed, then a pause at the end of each floating stroke: the paper's choice.
     Pause,
@@ -36,7 +39,8 @@ pub enum Strategy {
 }
 
 /// How strands are cooled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Cooling {
     /// An air jet behind a valve that the firmware opens and closes in step with the moves.
     Valve,
@@ -45,11 +49,13 @@ pub enum Cooling {
     /// A part fan: too slow for strokes, so it stays on above the first contours.
     Fan,
     /// Still air.
+    #[serde(rename = "none")]
     Still,
 }
 
 /// For which strokes the firmware itself makes up for the pressure in the nozzle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Advance {
     /// For all.
     All,
@@ -60,55 +66,75 @@ pub enum Advance {
 }
 
 /// What the toolpath depends on; lengths in mm, speeds in mm/s, times in s.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Deserialize)]
 pub struct PathParams {
     /// The bed's centre, where the model's stands.
+    #[serde(rename = "centre_mm")]
     pub centre: DVec2,
     /// The bed; rings that leave it are not printed.
     pub plate: Plate,
     /// Diameter of a free strand.
+    #[serde(rename = "strand_mm")]
     pub strand: f64,
     /// Diameter of the filament.
+    #[serde(rename = "filament_diameter_mm")]
     pub filament: f64,
     /// Height of the first contours.
+    #[serde(rename = "first_layer_height_mm")]
     pub first_layer: f64,
     /// Speed of extruding.
+    #[serde(rename = "print_mm_s")]
     pub print_speed: f64,
     /// Speed of extruding onto the bed.
+    #[serde(rename = "first_layer_mm_s")]
     pub bed_speed: f64,
     /// Speed of extruding layers.
+    #[serde(rename = "layer_mm_s")]
     pub layer_speed: f64,
     /// Speed of floating strokes under [`Strategy::Slow`].
+    #[serde(rename = "slow_mm_s")]
     pub slow_speed: f64,
     /// Speed of travelling.
+    #[serde(rename = "travel_mm_s")]
     pub travel_speed: f64,
     /// What makes floating strokes hold.
     pub strategy: Strategy,
     /// How strands are cooled.
     pub cooling: Cooling,
     /// Pause at the end of a floating stroke under [`Strategy::Pause`].
+    #[serde(rename = "pause_s")]
     pub pause: f64,
     /// Way past the end of a floating stroke under [`Strategy::Overshoot`].
+    #[serde(rename = "overshoot_mm")]
     pub overshoot: f64,
     /// Time by which the flow lags behind the feed.
+    #[serde(rename = "pressure_lag_s")]
     pub pressure_lag: f64,
     /// For which strokes the firmware makes up for that lag.
+    #[serde(rename = "pressure_advance")]
     pub advance: Advance,
     /// Filament pulled back before a travel.
+    #[serde(rename = "retract_mm")]
     pub retract: f64,
     /// Straight travels between a layer's lines that are no longer need no retraction.
+    #[serde(rename = "layer_retract_over_mm")]
     pub layer_retract_over: f64,
     /// Speed of pulling back.
+    #[serde(rename = "retract_speed_mm_s")]
     pub retract_speed: f64,
     /// Speed of pushing forward again.
+    #[serde(rename = "unretract_speed_mm_s")]
     pub unretract_speed: f64,
     /// Filament fed before the first strand, to fill the nozzle.
+    #[serde(rename = "prime_mm")]
     pub prime: f64,
     /// Height of a travel above all that is printed.
+    #[serde(rename = "travel_lift_mm")]
     pub travel_lift: f64,
     /// Rings around the print that prime the nozzle.
     pub skirt_rings: u32,
     /// Distance of the skirt from the print.
+    #[serde(rename = "skirt_gap_mm")]
     pub skirt_gap: f64,
     /// Flat rings around each first contour.
     pub brim_rings: u32,

@@ -1,6 +1,7 @@
 //! The zigzag of one contour: posts, and the diagonals between them, that the head can reach.
 
 use glam::{DVec2, DVec3};
+use serde::Deserialize;
 
 use crate::geometry::curve::Curve;
 use crate::head::Head;
@@ -15,7 +16,8 @@ use crate::wireframe::place::through::place_through;
 use crate::wireframe::place::walls::Walls;
 
 /// How posts are placed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Placement {
     /// Cheapest chain of candidates: aligned, even, at corners.
     Optimal,
