@@ -39,18 +39,21 @@ def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -
     ModelError
         Where no slice has a contour.
     """
-    wire = settings.wire
-    resolved = {
+    head = settings.printer.head.model_dump()
+    return _core.wireframe(mesh, head, settings.wire.model_dump() | _of_wire(settings), layered)
+
+
+def _of_wire(settings: Settings) -> dict[str, object]:
+    """Return what the wireframe depends on besides the settings of `[wire]` as they stand."""
+    return {
         "strand_mm": settings.printer.head.nozzle_mm,
         "slab_min_mm": settings.slab_min_mm,
         "slab_max_mm": settings.slab_max_mm,
         "first_layer_height_mm": settings.first_layer_height_mm,
         "print_mm_s": settings.print_mm_s,
         "pause_s": settings.pause_s,
-        "supports": wire.supports == "wire",
+        "supports": settings.wire.supports == "wire",
     }
-    head = settings.printer.head.model_dump()
-    return _core.wireframe(mesh, head, wire.model_dump() | resolved, layered)
 
 
 def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
@@ -68,11 +71,18 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
     Toolpath
         Moves as parallel numpy arrays, in the machine's coordinates.
     """
+    own = (settings.wire, settings.printer.speeds, settings.printer.extruder)
+    given = {name: value for section in own for name, value in section.model_dump().items()}
+    return _core.toolpath(wireframe, given | _of_path(settings))
+
+
+def _of_path(settings: Settings) -> dict[str, object]:
+    """Return what moves depend on besides the settings of the wire, the speeds, the extruder."""
     printer, regions = settings.printer, settings.regions
     flavor, cooling = FLAVORS[printer.gcode.flavor], printer.cooling.method
     half = tuple(size / 2 for size in printer.bed.size_mm)
     halts = cooling == "valve" and flavor.valve_halts
-    resolved = {
+    return {
         "centre_mm": printer.bed.centre_mm,
         "plate": {"round": half[0]} if printer.bed.shape == "round" else {"rectangle": half},
         "strand_mm": printer.head.nozzle_mm,
@@ -85,9 +95,6 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
         "pressure_advance": flavor.pressure_advance(printer.gcode),
         "layer_retract_over_mm": regions.retract_over_mm,
     }
-    own = (settings.wire, printer.speeds, printer.extruder)
-    given = {name: value for section in own for name, value in section.model_dump().items()}
-    return _core.toolpath(wireframe, given | resolved)
 
 
 def _melting_mm_s(settings: Settings) -> float:
