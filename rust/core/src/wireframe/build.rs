@@ -135,3 +135,6 @@ fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide, columns: bool) -> Laid {
     });
     Laid { entries: journal.into_entries(), wanting }
 }
+
+#[cfg(test)]
+mod tests;

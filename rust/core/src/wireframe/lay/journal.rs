@@ -251,3 +251,6 @@ impl<'a> Journal<'a> {
         self.entries.unprinted.push(Unprinted { low, high, area, place: at.extend(high), reason });
     }
 }
+
+#[cfg(test)]
+mod tests;

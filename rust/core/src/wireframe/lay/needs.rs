@@ -33,3 +33,6 @@ pub fn needs(
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -207,3 +207,6 @@ fn met(curve: &Curve, steps: Vec<Step>, longest: f64) -> Vec<Step> {
 fn lowest(rims: &[&Rim]) -> f64 {
     rims.iter().flat_map(|r| &r.points).map(|p| p.z).fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests;

@@ -40,3 +40,6 @@ pub fn cost(from: Option<DVec3>, entries: &Entries) -> Cost {
     let plain = length + travels + COLUMN * entries.columns.len() as f64;
     Cost { area: area.round(), whole: plain + SAG * entries.sag, plain }
 }
+
+#[cfg(test)]
+mod tests;

@@ -113,3 +113,6 @@ impl<'a> Footing<'a> {
         self.rims.iter().flat_map(|rim| &rim.points).copied()
     }
 }
+
+#[cfg(test)]
+mod tests;

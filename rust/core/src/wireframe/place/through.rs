@@ -66,3 +66,6 @@ fn leading_on(chain: &Chain, count: usize, home: &Candidate) -> Vec<Post> {
     let best = (0..count).filter_map(cost).min_by(|a, b| a.0.total_cmp(&b.0));
     best.map_or_else(Vec::new, |(_, end)| chain.way(&before, end)[1..].to_vec())
 }
+
+#[cfg(test)]
+mod tests;

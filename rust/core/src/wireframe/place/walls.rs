@@ -204,3 +204,6 @@ fn samples(curves: &[Option<Curve>]) -> Vec<Sample> {
     }
     samples
 }
+
+#[cfg(test)]
+mod tests;
