@@ -42,6 +42,15 @@ STYLES: Final[dict[str, Style]] = {
     "skirt": Style("skirt", (150, 140, 124), is_object=False),
     "prime": Style("priming", (150, 140, 124), is_object=False, shown=False),
     "custom": Style("start code", (150, 140, 124), is_object=False, shown=False),
+    "slice": Style("slice", (110, 122, 134)),
+    "outside": Style("outer contour", (0, 104, 180)),
+    "hole": Style("hole", (208, 120, 166)),
+    "strip 1": Style("strip 1", (0, 104, 180)),
+    "strip 2": Style("strip 2", (232, 146, 12)),
+    "strip 3": Style("strip 3", (0, 150, 112)),
+    "strip 4": Style("strip 4", (208, 120, 166)),
+    "strip 5": Style("strip 5", (140, 98, 190)),
+    "strip 6": Style("strip 6", (120, 92, 58)),
 }
 #: Strands of other programs, whose labels mean something else.
 FOREIGN: Final[Rgb] = (96, 128, 158)

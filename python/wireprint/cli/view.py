@@ -9,6 +9,7 @@ import click
 
 from wireprint import files
 from wireprint.cli.marks import marks_from, marks_options
+from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
 from wireprint.cli.say import say
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from wireprint.view import Shown
+    from wireprint.view_stages import Stage
 
 
 class PixelSize(click.ParamType[tuple[int, int]]):
@@ -51,6 +53,27 @@ class Words(click.ParamType[tuple[str, ...]]):
         return tuple(word.strip() for word in value.split(",") if word.strip())
 
 
+class SlabRange(click.ParamType[range]):
+    """``12`` or ``12..15``."""
+
+    name = "N|FROM..TO"
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> range:
+        """Read one number or two."""
+        if isinstance(value, range):
+            return value
+        found = re.fullmatch(r"(\d{1,6})(?:\.\.(\d{1,6}))?", value.strip())
+        if found is None or int(found[2] or found[1]) < int(found[1]):
+            self.fail(f"{value!r} is not N or FROM..TO, such as 12 or 12..15", param, ctx)
+        return range(int(found[1]), int(found[2] or found[1]) + 1)
+
+
+#: Stages of a print that can be drawn; see `view_stages`, which takes its time to be imported.
+_STAGES = ("slices", "contours", "strips", "posts", "strands", "toolpath")
+
+
 @click.command()
 @click.argument("file", type=InputFile())
 @click.option(
@@ -70,7 +93,10 @@ class Words(click.ParamType[tuple[str, ...]]):
 @click.option("--travels", is_flag=True, help="Draw moves without extrusion, too.")
 @click.option("--kinds", type=Words(), help="Show only these: contour, post, diagonal, …")
 @click.option("--edges", is_flag=True, help="Draw the edges of a model's triangles.")
+@click.option("--stage", type=click.Choice(_STAGES), help="Draw what this stage makes of a model.")
+@click.option("--slabs", type=SlabRange(), help="Slabs of that stage, from 0; default: all.")
 @marks_options
+@settings_options
 @placement_options
 def view(
     file: Path,
@@ -80,29 +106,39 @@ def view(
     travels: bool,
     kinds: tuple[str, ...] | None,
     edges: bool,
+    stage: Stage | None,
+    slabs: range | None,
     **options: Any,
 ) -> None:
     """Draw G-code or a model.
 
     FILE is G-code of any program, or a model; - is stdin, G-code unless --format tells. How a model
-    is placed and what is marked on it matters to models alone; size and edges to pictures alone.
+    is placed and what is marked on it matters to models alone; size and edges to pictures alone;
+    printer, material and other settings to --stage alone.
     """
     from wireprint import view as pictures
 
-    marks = marks_from(options, [file])
+    chosen, marks = chosen_from(options), marks_from(options, [file])
     if output is None and is_stream(file):
         raise click.UsageError("what comes by a pipe has no name: name the picture with -o")
     target = files.output(
         output or file.with_suffix(".png"),
         f"{file.stem}.png",
         files.PICTURE_SUFFIXES + files.PAGE_SUFFIXES,
-        [file, *marks.files],
+        [file, *marks.files, *chosen.files],
     )
     by_stdin = is_stream(file) and options["file_format"] is None
     if by_stdin or pictures.is_gcode(file):
         if marks.fill or marks.files:
             raise click.UsageError(f"{file}: G-code cannot be marked; mark its model")
+        if stage is not None:
+            raise click.UsageError(f"{file}: --stage draws what becomes of a model; name its model")
         shown: Shown = pictures.strands_in(file)
+    elif stage is not None:
+        from wireprint import view_stages
+
+        model = marks.load(file, options)
+        shown = view_stages.stage(stage, model.mesh, chosen.of(model), slabs)
     elif marks.concern(file, options):
         shown = pictures.load(marks.load(file, options))
     else:
@@ -112,8 +148,8 @@ def view(
     common: dict[str, Any] = {
         "camera": camera,
         "kinds": kinds,
-        "travels": travels,
-        "title": file.name,
+        "travels": travels or stage == "toolpath",
+        "title": file.name if stage is None else f"{file.name}: {stage}",
     }
     if str(target).lower().endswith(files.PAGE_SUFFIXES):
         target.write(pictures.render_html(shown, **common).encode())
