@@ -148,7 +148,7 @@ def test_each_bound_is_named(line, bound):
 
 
 def test_klipper_allows_less_filament_in_place():
-    text = b"G28\nM83\nG1 E-60 F600"
+    text = b"G28\nM83\nG1 Z0.3\nG1 X9 E1 F600\nG1 E-60 F600"
     lenient, strict = Settings.load(), Settings.load(overrides=['gcode.flavor="klipper"'])
     assert wireprint.check(text, lenient).ok
     assert not wireprint.check(text, strict).ok

@@ -175,11 +175,12 @@ def test_settings_in_another_encoding_are_refused_by_line_and_a_mark_is_passed_o
 def test_a_damaged_footer_is_named_by_line_with_a_way_out(line, tmp_path):
     path = tmp_path / "damaged.gcode"
     begin, end = "; wireprint_settings = begin", "; wireprint_settings = end"
-    path.write_bytes(f"G28\nG1 X1 Y1 Z1 F600\n{begin}\n{line}\n{end}\n".encode("latin-1"))
+    moves = "G28\nG1 X1 Y1 Z.3 F600\nG1 X9 E1"
+    path.write_bytes(f"{moves}\n{begin}\n{line}\n{end}\n".encode("latin-1"))
     for command in ("check", "estimate"):
         refused(run(command, path), 3, str(path), "--printer")
         if "wire" not in line:
-            assert re.search(r": line [345]: ", run(command, path).stderr)
+            assert re.search(r": line [456]: ", run(command, path).stderr)
     # What is neither a comment nor a command is not judged, whoever the printer is.
     judged = run("check", path, "--printer", "kossel-mini")
     assert judged.exit_code == (0 if line.startswith(";") else 1), judged.output

@@ -25,7 +25,7 @@ fn certificate(text: &[u8]) -> Certificate {
         bed_contact: 0.7,
         span_limit: 65.0,
         free_end_limit: 20.0,
-        bed: Bed { centre: DVec2::ZERO, half: dvec2(85.0, 85.0), round: true, height: 200.0 },
+        bed: Bed::new(DVec2::ZERO, dvec2(85.0, 85.0), true, 200.0),
         limits: Limits { feed: 300.0, flow: 15.0, filament_only: 50.0, filament_area: 2.405 },
         settling: Settling { dwell: 0.0, slow: 0.0 },
         coldest: 170.0,

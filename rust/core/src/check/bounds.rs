@@ -24,7 +24,12 @@ fn of_move(step: &Step, rules: &Rules) -> impl Iterator<Item = OutOfBounds> {
     let moving = length > 0.0 && !step.homing;
     let feed = step.speed.min(limits.feed);
     let flow = step.filament * limits.filament_area * feed / length;
-    let outside = rules.bed.outside(step.to);
+    let lies = step.from.z.max(step.to.z) <= rules.bed_contact;
+    let outside = if step.filament <= 0.0 || lies {
+        rules.bed.beyond(step.to)
+    } else {
+        rules.bed.outside(step.to)
+    };
     let share = 1.0 + ROUNDING_SHARE;
     let (line, at) = (step.line, step.to);
     [

@@ -47,6 +47,11 @@ impl Nozzle {
             Command::G(10, words) if words.get(b'P').unwrap_or(0.0) == 0.0 => {
                 self.aim(words.get(b'S'));
             }
+            Command::M(568, words) if words.get(b'P').unwrap_or(0.0) == 0.0 => {
+                let off = words.get(b'A') == Some(0.0);
+                self.aim(if off { Some(0.0) } else { words.get(b'S') });
+            }
+            Command::M(81, _) => self.aim(Some(0.0)),
             Command::Named(name, words)
                 if name.eq_ignore_ascii_case(b"SET_HEATER_TEMPERATURE")
                     && is_nozzle(words, b"HEATER=") =>
@@ -83,9 +88,14 @@ fn is_first(words: &Words<'_>) -> bool {
 
 fn is_nozzle(words: &Words<'_>, key: &[u8]) -> bool {
     words.0.split(u8::is_ascii_whitespace).any(|word| {
-        word.split_at_checked(key.len())
-            .is_some_and(|(name, value)| name.eq_ignore_ascii_case(key) && value == b"extruder")
+        word.split_at_checked(key.len()).is_some_and(|(name, value)| {
+            name.eq_ignore_ascii_case(key) && unquoted(value) == b"extruder"
+        })
     })
+}
+
+fn unquoted(value: &[u8]) -> &[u8] {
+    value.strip_prefix(b"\"").and_then(|value| value.strip_suffix(b"\"")).unwrap_or(value)
 }
 
 #[cfg(test)]
@@ -112,6 +122,10 @@ mod tests {
         assert!(is_cold("M109 S100\n"));
         assert!(is_cold("M109 S200\nM104 S0\n"));
         assert!(is_cold("M109 S200\nTURN_OFF_HEATERS\n"));
+        assert!(is_cold("M109 S200\nSET_HEATER_TEMPERATURE HEATER=\"extruder\" TARGET=0\n"));
+        assert!(is_cold("M109 S200\nM568 P0 S0\n"));
+        assert!(is_cold("M109 S200\nM568 P0 A0\n"));
+        assert!(is_cold("M109 S200\nM81\n"), "power off");
         assert!(is_cold("M109 S200\nM104 S100\nM104 S200\n"));
     }
 

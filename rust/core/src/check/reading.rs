@@ -109,6 +109,12 @@ impl Notes {
 
     #[inline]
     fn carry_out(&mut self, line: u64, command: &Command<'_>, machine: &mut Machine) {
+        if vocabulary::has_second_command(command) {
+            self.doubt(line, &vocabulary::name(command), vocabulary::SECOND);
+        }
+        if self.begun && vocabulary::homes_otherwise(command) {
+            self.doubt(line, "G28", vocabulary::HOMING_WORD);
+        }
         if self.placed != [true; 3] {
             self.place(line, command, machine.is_relative());
         }

@@ -19,6 +19,10 @@ pub struct Bed {
     /// Greatest height of the tip, mm.
     #[serde(rename = "height_mm")]
     pub height: f64,
+    /// How far the axes reach beyond that rectangle towards low and high x and y, mm, not negative:
+    /// where machines home, park and purge. Only travels and what lies on the bed may go there.
+    #[serde(rename = "margins_mm")]
+    pub margins: [DVec2; 2],
 }
 
 /// Limits of machine and firmware; infinite where there is none.
@@ -39,6 +43,23 @@ pub struct Limits {
 }
 
 impl Bed {
+    /// A bed to whose edge the axes reach, and no farther.
+    #[must_use]
+    pub fn new(centre: DVec2, half: DVec2, round: bool, height: f64) -> Self {
+        Self { centre, half, round, height, margins: [DVec2::ZERO; 2] }
+    }
+
+    /// How far a point lies outside what the axes reach, mm; 0 inside.
+    pub(super) fn beyond(&self, p: DVec3) -> f64 {
+        let [low, high] = self.margins;
+        if low == DVec2::ZERO && high == DVec2::ZERO {
+            return self.outside(p);
+        }
+        let offset = p.truncate() - self.centre;
+        let beside = (-self.half - low - offset).max(offset - self.half - high).max_element();
+        beside.max(p.z - self.height).max(0.0)
+    }
+
     /// How far a point lies outside the build volume, mm; 0 inside. Depth below the bed does not
     /// count: that is a collision.
     pub(super) fn outside(&self, p: DVec3) -> f64 {

@@ -90,13 +90,17 @@ pub enum Command<'a> {
         p_ms: Option<f64>,
         /// S word, s.
         s: Option<f64>,
+        /// All of its words.
+        words: Words<'a>,
     },
     /// G17, G18, G19.
-    ArcPlane(Plane),
+    ArcPlane(Plane, Words<'a>),
     /// G20 (`inches`) and G21.
     Units {
         /// Whether it was written as G20.
         inches: bool,
+        /// What follows, which has no meaning.
+        words: Words<'a>,
     },
     /// G28; without any axis word all three are set.
     Home {
@@ -108,16 +112,22 @@ pub enum Command<'a> {
         z: bool,
         /// Only axes that are not homed yet (`O`, Marlin).
         if_needed: bool,
+        /// All of its words.
+        words: Words<'a>,
     },
     /// G90 and G91 (`relative`).
     Positioning {
         /// Whether it was written as G91.
         relative: bool,
+        /// What follows, which has no meaning.
+        words: Words<'a>,
     },
     /// M82 and M83 (`relative`).
     Extrusion {
         /// Whether it was written as M83.
         relative: bool,
+        /// What follows, which has no meaning.
+        words: Words<'a>,
     },
     /// G92.
     SetPosition {
@@ -134,13 +144,38 @@ pub enum Command<'a> {
     /// `G92.1` or `M862.3`.
     Sub(u8, &'a [u8], Words<'a>),
     /// T-code.
-    Tool(u32),
+    Tool(u32, Words<'a>),
     /// A named command of Klipper, `SET_PIN PIN=air VALUE=1`: the name and the rest of the line.
     Named(&'a [u8], Words<'a>),
     /// A line that holds only a comment: what follows the semicolon, trimmed.
     Comment(&'a [u8]),
     /// A line that no firmware understands: it is not executed.
     Garbage(&'a [u8]),
+}
+
+impl<'a> Command<'a> {
+    /// The words that nothing was made of yet; none where each was read with the line.
+    #[must_use]
+    pub fn words(&self) -> Words<'a> {
+        match *self {
+            Self::G(_, words)
+            | Self::M(_, words)
+            | Self::Sub(_, _, words)
+            | Self::Tool(_, words)
+            | Self::Named(_, words)
+            | Self::ArcPlane(_, words)
+            | Self::Dwell { words, .. }
+            | Self::Home { words, .. }
+            | Self::Units { words, .. }
+            | Self::Positioning { words, .. }
+            | Self::Extrusion { words, .. } => words,
+            Self::Linear { .. }
+            | Self::Arc { .. }
+            | Self::SetPosition { .. }
+            | Self::Comment(_)
+            | Self::Garbage(_) => Words::default(),
+        }
+    }
 }
 
 /// The words of a command, read on demand.

@@ -40,7 +40,7 @@ impl ImpliedMode {
                 self.moved(axes);
             }
             Command::Extrusion { .. } => return ControlFlow::Break(()),
-            Command::Positioning { relative } => self.relative = *relative,
+            Command::Positioning { relative, .. } => self.relative = *relative,
             Command::SetPosition { axes, .. } => {
                 let bare = axes.x.or(axes.y).or(axes.z).is_none();
                 self.last = axes.e.or(bare.then_some(0.0)).unwrap_or(self.last);

@@ -255,10 +255,11 @@ impl Machine {
                 Remark::Layer => report(Event::Layer),
                 Remark::Height(height) => report(Event::LayerHeight(height)),
             },
-            Command::Dwell { p_ms, s } => report(Event::Dwell(self.dwell(p_ms, s))),
-            Command::Home { x, y, z, if_needed } => {
+            Command::Dwell { p_ms, s, .. } => report(Event::Dwell(self.dwell(p_ms, s))),
+            Command::Home { x, y, z, if_needed, .. } => {
                 let mut named = [x, y, z];
-                if if_needed {
+                // Klipper knows no O, and homes.
+                if if_needed && self.settings.dialect == Dialect::Marlin {
                     named.iter_mut().zip(self.homed).for_each(|(axis, home)| *axis &= !home);
                 }
                 if named != [false; 3] {
@@ -272,7 +273,7 @@ impl Machine {
             Command::G(11, words) if words.letters().all(|word| word == b'S') => {
                 self.unretract(line, report);
             }
-            Command::Tool(number) => {
+            Command::Tool(number, _) => {
                 let changed = std::mem::replace(&mut self.tool, number) != number;
                 report(Event::Tool { number, changed });
             }
@@ -284,18 +285,18 @@ impl Machine {
     /// Everything that changes a mode or is somebody else's.
     fn modal<'a>(&mut self, command: &Command<'a>, report: &mut impl FnMut(Event<'a>)) {
         match *command {
-            Command::ArcPlane(plane) => self.plane = plane,
-            Command::Units { inches } => {
+            Command::ArcPlane(plane, _) => self.plane = plane,
+            Command::Units { inches, .. } => {
                 self.mm_per_unit = if inches { MM_PER_INCH } else { 1.0 };
                 report(Event::Other(*command));
             }
-            Command::Positioning { relative } => {
+            Command::Positioning { relative, .. } => {
                 self.relative = relative;
                 if self.settings.dialect == Dialect::Marlin {
                     self.relative_extrusion = relative;
                 }
             }
-            Command::Extrusion { relative } => self.relative_extrusion = relative,
+            Command::Extrusion { relative, .. } => self.relative_extrusion = relative,
             Command::SetPosition { axes, other } => {
                 self.set_position(&axes, other.is_some());
                 if let Some(word) = other {
@@ -308,6 +309,11 @@ impl Machine {
             }
             Command::M(18 | 84, words) => {
                 self.release(words);
+                report(Event::Other(*command));
+            }
+            // Without power no motor keeps its place.
+            Command::M(81, _) => {
+                self.homed = [false; 3];
                 report(Event::Other(*command));
             }
             Command::M(220, words) => self.set_feed_factor(words),

@@ -151,7 +151,7 @@ pub fn parse_line(line: &[u8]) -> Option<Command<'_>> {
     let command = match letter {
         b'G' => cursor.g_code(),
         b'M' => cursor.m_code(),
-        b'T' => cursor.code().and_then(|code| code.whole()).map(Command::Tool),
+        b'T' => cursor.tool(),
         _ => None,
     };
     Some(command.or_else(|| cursor.named(line)).unwrap_or(Command::Garbage(line)))
@@ -255,12 +255,14 @@ impl<'a> Cursor<'a> {
             }
             number @ (2 | 3) => self.arc(number == 2)?,
             4 => self.dwell()?,
-            17 => Command::ArcPlane(Plane::Xy),
-            18 => Command::ArcPlane(Plane::Xz),
-            19 => Command::ArcPlane(Plane::Yz),
-            number @ (20 | 21) => Command::Units { inches: number == 20 },
+            17 => Command::ArcPlane(Plane::Xy, self.words()),
+            18 => Command::ArcPlane(Plane::Xz, self.words()),
+            19 => Command::ArcPlane(Plane::Yz, self.words()),
+            number @ (20 | 21) => Command::Units { inches: number == 20, words: self.words() },
             28 => self.home(),
-            number @ (90 | 91) => Command::Positioning { relative: number == 91 },
+            number @ (90 | 91) => {
+                Command::Positioning { relative: number == 91, words: self.words() }
+            }
             92 => {
                 let (axes, other) = self.axes()?;
                 Command::SetPosition { axes, other }
@@ -275,7 +277,9 @@ impl<'a> Cursor<'a> {
             return Some(Command::Sub(b'M', text, self.words()));
         }
         Some(match code.number {
-            number @ (82 | 83) => Command::Extrusion { relative: number == 83 },
+            number @ (82 | 83) => {
+                Command::Extrusion { relative: number == 83, words: self.words() }
+            }
             number => Command::M(number, self.words()),
         })
     }
@@ -325,19 +329,26 @@ impl<'a> Cursor<'a> {
         (centre != Centre::default()).then_some(Command::Arc { clockwise, axes, centre, other })
     }
 
+    fn tool(&mut self) -> Option<Command<'a>> {
+        let number = self.code()?.whole()?;
+        Some(Command::Tool(number, self.words()))
+    }
+
     fn dwell(&mut self) -> Option<Command<'a>> {
         let (mut p_ms, mut s) = (None, None);
+        let words = self.words();
         self.each_word(|letter, value| match letter {
             b'P' => p_ms = Some(value),
             b'S' => s = Some(value),
             _ => {}
         })?;
-        Some(Command::Dwell { p_ms, s })
+        Some(Command::Dwell { p_ms, s, words })
     }
 
     /// G28, whose axis words need no number.
     fn home(&mut self) -> Command<'a> {
         let (mut x, mut y, mut z, mut if_needed) = (false, false, false, false);
+        let words = self.words();
         while let Some(letter) = self.next_letter() {
             self.number();
             x |= letter == b'X';
@@ -346,7 +357,7 @@ impl<'a> Cursor<'a> {
             if_needed |= letter == b'O';
         }
         let all = !(x || y || z);
-        Command::Home { x: x || all, y: y || all, z: z || all, if_needed }
+        Command::Home { x: x || all, y: y || all, z: z || all, if_needed, words }
     }
 
     /// The rest of the line up to a comment or checksum.

@@ -25,7 +25,7 @@ const HARMLESS_M: &[u32] = &[
     143, 144, 150, 154, 155, 190, 191, 192, 200, 201, 202, 203, 204, 205, 207, 208, 210, 211, 250,
     256, 259, 300, 301, 302, 303, 304, 305, 308, 309, 310, 355, 400, 404, 405, 406, 407, 412, 413,
     500, 503, 504, 550, 552, 555, 562, 564, 566, 568, 569, 570, 571, 572, 573, 575, 591, 593, 710,
-    862, 900, 905, 906, 907, 908, 909, 910, 911, 912, 913, 914, 915, 916, 917, 918, 919, 950, 951,
+    862, 900, 905, 909, 911, 912, 914, 916, 917, 918, 919, 950, 951,
 ];
 
 /// G60 keeps a place, without going there.
@@ -62,18 +62,18 @@ const HARMLESS_NAMED: &[&str] = &[
     "SET_RETRACTION",
     "SET_SMOOTH_TIME",
     "SET_TEMPERATURE_FAN_TARGET",
-    "SET_TMC_CURRENT",
     "SET_VELOCITY_LIMIT",
     "STATUS",
     "TEMPERATURE_WAIT",
     "TURN_OFF_HEATERS",
 ];
 
-/// They probe, level, calibrate, clean, load filament, or run a macro of the printer's.
+/// They probe, level, calibrate, clean, load filament, set the currents by which motors keep their
+/// place, or run a macro of the printer's.
 const PREPARES_G: &[u32] = &[12, 29, 30, 31, 32, 33, 34, 35, 76, 80, 81];
 const PREPARES_M: &[u32] = &[
     48, 98, 280, 320, 321, 322, 323, 374, 375, 376, 401, 402, 420, 421, 557, 558, 561, 701, 702,
-    703,
+    703, 906, 907, 908, 910, 913, 915,
 ];
 
 /// They move the frame of coordinates, or how far a step goes.
@@ -104,7 +104,11 @@ const TEXT_M: &[u32] = &[20, 23, 28, 29, 30, 32, 36, 70, 72, 98, 117, 118, 550, 
 const FRAME: &str = "it moves the frame of coordinates";
 const MOVES: &str = "it may move the head";
 const MACRO: &str = "what this macro does is not known once the print has begun";
-const SECOND: &str = "a second command stands in its line";
+/// Why a line with two commands is not judged.
+pub const SECOND: &str = "a second command stands in its line";
+/// Why a homing with other words than axes is not.
+pub const HOMING_WORD: &str = "how this word changes the way home is not known";
+const DIRECTION: &str = "it may turn a motor's direction";
 const LEAVES_OUT: &str = "what follows may be left out";
 
 /// What a command does that the machine reports as somebody else's.
@@ -115,7 +119,7 @@ pub fn effect(command: &Command<'_>, dialect: Dialect) -> Effect {
         Command::M(code, words) => of_m(code, words, dialect),
         Command::Sub(letter, code, _) => of_sub(letter, code),
         Command::Named(name, words) => of_named(name, words),
-        Command::Units { inches: true } if dialect == Dialect::Klipper => {
+        Command::Units { inches: true, .. } if dialect == Dialect::Klipper => {
             Effect::Unknown("Klipper knows no inches")
         }
         Command::Units { .. } => Effect::Harmless,
@@ -127,7 +131,6 @@ fn of_g(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
     // G10 P0 S210 sets a tool's temperature in RepRapFirmware.
     let heats = code == 10 && words.letters().all(|word| b"PRS".contains(&word));
     match code {
-        _ if has_second_command(words) && code != 53 => Effect::Unknown(SECOND),
         53 if dialect == Dialect::Klipper => Effect::Unknown("Klipper has no G53"),
         53 => Effect::Unknown("firmwares differ in what G53 is after G92, or without a move"),
         _ if heats => Effect::Harmless,
@@ -139,17 +142,20 @@ fn of_g(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
 }
 
 fn of_m(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
-    let chosen = |letters: &[u8]| words.letters().any(|word| letters.contains(&word));
+    // Behind A stands a name.
+    let leaves_out =
+        || words.letters().take_while(|word| *word != b'A').any(|w| b"CP".contains(&w));
     match code {
-        _ if !TEXT_M.contains(&code) && has_second_command(words) => Effect::Unknown(SECOND),
         200 if dialect == Dialect::Klipper => Effect::Unknown("Klipper has no M200"),
         // The axes' travel, in RepRapFirmware; what M209 retracts, no G10 says.
         209 if words.get(b'S').unwrap_or(0.0) > 0.0 => {
             Effect::Unknown("it makes retractions of moves of E")
         }
         209 => Effect::Harmless,
-        486 if chosen(b"CP") => Effect::Unknown(LEAVES_OUT),
+        486 if leaves_out() => Effect::Unknown(LEAVES_OUT),
         486 => Effect::Harmless,
+        // Marlin's chooses how silent a driver is; with P it is RepRapFirmware's.
+        569 if words.has(b'P') && words.has(b'S') => Effect::Unknown(DIRECTION),
         _ if HARMLESS_M.contains(&code) => Effect::Harmless,
         _ if PREPARES_M.contains(&code) => Effect::Prepares,
         _ if FRAME_M.contains(&code) => Effect::Unknown(FRAME),
@@ -157,11 +163,11 @@ fn of_m(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
     }
 }
 
-/// Codes with a decimal: Prusa's checks of printer and nozzle, and drivers' settings.
+/// Codes with a decimal: Prusa's checks of printer and nozzle.
 fn of_sub(letter: u8, code: &[u8]) -> Effect {
     let whole = code.split(|byte| *byte == b'.').next().unwrap_or_default();
     match (letter, whole) {
-        (b'M', b"569" | b"862") => Effect::Harmless,
+        (b'M', b"862") => Effect::Harmless,
         (b'G', b"29" | b"30" | b"33" | b"80") => Effect::Prepares,
         _ => Effect::Unknown(MOVES),
     }
@@ -187,7 +193,14 @@ pub fn within_a_print(command: &Command<'_>) -> &'static str {
 }
 
 /// Whether a G or M with a number follows, outside of quotes: a command more to some firmwares.
-fn has_second_command(words: Words<'_>) -> bool {
+#[must_use]
+pub fn has_second_command(command: &Command<'_>) -> bool {
+    match *command {
+        Command::G(53, _) | Command::Named(..) => return false,
+        Command::M(code, _) if TEXT_M.contains(&code) => return false,
+        _ => {}
+    }
+    let words = command.words();
     let mut quoted = false;
     let mut letter = false;
     words.0.iter().any(|byte| {
@@ -196,6 +209,16 @@ fn has_second_command(words: Words<'_>) -> bool {
         letter = !quoted && matches!(byte.to_ascii_uppercase(), b'G' | b'M');
         found
     })
+}
+
+/// Whether a homing has words that may change its way: others than axes, those of [`Machine`] and
+/// those that tell what becomes of a mesh of the bed.
+///
+/// [`Machine`]: super::machine::Machine
+#[must_use]
+pub fn homes_otherwise(command: &Command<'_>) -> bool {
+    matches!(command, Command::Home { words, .. }
+        if words.letters().any(|word| !b"XYZOLW".contains(&word)))
 }
 
 /// What a command is called in a list: its code or name, without its words.
@@ -207,9 +230,18 @@ pub fn name(command: &Command<'_>) -> String {
         Command::M(code, _) => format!("M{code}"),
         Command::Sub(letter, code, _) => format!("{}{}", char::from(letter), text(code)),
         Command::Named(name, _) => text(name),
-        Command::Units { inches } => if inches { "G20" } else { "G21" }.into(),
-        Command::Tool(number) => format!("T{number}"),
-        _ => String::new(),
+        Command::Units { inches, .. } => if inches { "G20" } else { "G21" }.into(),
+        Command::Positioning { relative, .. } => if relative { "G91" } else { "G90" }.into(),
+        Command::Extrusion { relative, .. } => if relative { "M83" } else { "M82" }.into(),
+        Command::ArcPlane(plane, _) => format!("G{}", 17 + plane as u8),
+        Command::Dwell { .. } => "G4".into(),
+        Command::Home { .. } => "G28".into(),
+        Command::Tool(number, _) => format!("T{number}"),
+        Command::Linear { .. }
+        | Command::Arc { .. }
+        | Command::SetPosition { .. }
+        | Command::Comment(_)
+        | Command::Garbage(_) => String::new(),
     }
 }
 
@@ -235,6 +267,7 @@ mod tests {
             "SET_PIN PIN=air VALUE=1",
             "exclude_object_start NAME=a",
             "M486 S1",
+            "M486 Aa cap.stl",
             "M209 S0",
         ] {
             assert_eq!(effect_of(line, Dialect::Marlin), Effect::Harmless, "{line}");
@@ -254,17 +287,28 @@ mod tests {
             "M290 Z-1",
             "M600",
             "M851 Z2",
-            "M104 S200 G1 Z0",
             "M209 S1",
             "M486 C",
             "EXCLUDE_OBJECT NAME=a",
             "SET_GCODE_OFFSET Z=-2",
             "RESTORE_GCODE_STATE NAME=a MOVE=1",
             "G92.1",
+            "M569 P0 S0",
             "M5000",
         ] {
             assert!(matches!(effect_of(line, Dialect::Marlin), Effect::Unknown(_)), "{line}");
         }
+    }
+
+    #[test]
+    fn a_second_command_in_a_line_is_seen_behind_any_that_has_words() {
+        let has = |line: &str| parse_line(line.as_bytes()).is_some_and(|c| has_second_command(&c));
+        for first in ["G90", "G21", "G18", "M82", "M83", "M104 S200", "G4 P1", "G28", "T0", "G10"] {
+            assert!(has(&format!("{first} G1 Z0")), "{first}");
+            assert!(!has(first), "{first}");
+            assert!(!has(&format!("{first} ; G1 Z0")), "{first}");
+        }
+        assert!(!has("M117 G1 Z0") && !has("RESPOND MSG=G1"));
     }
 
     #[test]
