@@ -36,6 +36,8 @@ KEYS = {
     "deviation_mm": float,
     "repaired": list,
     "unprinted": list,
+    "whole": bool,
+    "weak": list,
     "warnings": list,
     "timings_s": dict,
 }

@@ -12,7 +12,6 @@ CORE = Path(__file__).parents[1] / "rust" / "core" / "src"
 KNOWN = [
     ["contours/chains.rs", "contours/sweep.rs"],
     ["contours/mod.rs", "contours/nesting.rs"],
-    ["fidelity/coverage.rs", "fidelity/left_out.rs"],
     ["render/raster.rs", "render/shade.rs", "render/stroke.rs", "render/triangle.rs"],
     ["slices/cut.rs", "slices/mod.rs", "slices/ranks.rs"],
 ]

@@ -44,6 +44,7 @@ __all__ = [
     "estimate_files",
     "find_relationship",
     "format_moves",
+    "growth",
     "insert_progress",
     "read_model_part",
     "read_slicer_config",
@@ -556,5 +557,8 @@ class Certificate:
     ) -> tuple[_Coverage, tuple[tuple[float, float], tuple[float, float]] | None]: ...
 
 def certify(text: bytes, rules: Mapping[str, Any]) -> Certificate: ...
+def growth(
+    text: bytes, rules: Mapping[str, Any], modulus_mpa: float, most_work: float
+) -> list[tuple[int, _Point, float]] | None: ...
 def coverage(mesh: Mesh, strands: npt.NDArray[np.float64], terms: _Terms) -> _Coverage: ...
 def deviation(mesh: Mesh, strands: npt.NDArray[np.float64]) -> tuple[float, float]: ...

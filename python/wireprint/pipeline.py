@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from wireprint.regions import Region
     from wireprint.remedies import Remedy
     from wireprint.settings import Settings
+    from wireprint.weakness import Weak
 
 
 @dataclass
@@ -71,6 +72,9 @@ class WirePrint:
     orientation: Orientation | None = None
     #: By how much it was turned about z to fit the bed, degrees.
     turn_to_fit_deg: float = 0.0
+    #: Where it gives way too easily while it grows; None where that was not asked for, or is too
+    #: much work to find out.
+    weak: tuple[Weak, ...] | None = None
 
     def figures(self) -> dict[str, Any]:
         """Tell what people want to know, under the keys of ``wireprint slice --json``."""
@@ -93,6 +97,7 @@ class WirePrint:
             **self._verdict(),
             "repaired": report.repairs(self.mesh),
             "unprinted": self.unprinted(),
+            "weak": None if self.weak is None else [asdict(place) for place in self.weak],
             "regions": None if self.regions is None else report.regions(self.regions),
             "warnings": [*report.warnings(self.mesh), *report.slowed(self.settings)],
             "timings_s": self.timings_s,
@@ -131,6 +136,7 @@ def make(
     orient: bool = False,
     partial: bool = False,
     oversize: bool = False,
+    weak: bool = False,
 ) -> WirePrint:
     """Turn a mesh into a wire print.
 
@@ -158,6 +164,8 @@ def make(
         allows. Without `certify` nobody knows.
     oversize
         Whether a print is wanted that leaves the build volume.
+    weak
+        Whether to find out where the print gives way too easily while it grows.
 
     Raises
     ------
@@ -212,6 +220,12 @@ def make(
     if certify:
         with clock.stage("check"):
             certificate = check(gcode, settings, mesh, deviation=compare)
+    places = None
+    if weak:
+        from wireprint.weakness import find_weak
+
+        with clock.stage("weak"):
+            places = find_weak(gcode, settings)
     made = WirePrint(
         settings,
         mesh,
@@ -224,6 +238,7 @@ def make(
         clock.timings_s,
         orientation,
         place.turn_deg,
+        places,
     )
     if certificate is not None and not partial and not is_whole(certificate, settings):
         raise refusal(certificate, made.unprinted(), settings, attempt)

@@ -337,6 +337,9 @@ class Material(Section):
     air_c: float = Field(25.0, ge=-20, le=100, description="temperature around the print")
     specific_heat_j_kgk: float = Field(gt=100, le=5000, description="between nozzle and hold")
     conductivity_w_mk: float = Field(ge=0.01, le=10, description="of heat, W/(m·K)")
+    modulus_mpa: float = Field(
+        2200.0, ge=1, le=1e6, description="Young's, of the cold material; ABS unless told"
+    )
 
     @model_validator(mode="after")
     def _cools_from_nozzle_through_hold_to_air(self) -> Self:
@@ -426,6 +429,12 @@ class Wire(Section):
     )
     free_end_limit_mm: float = Field(
         20.0, ge=1, le=200, description="longest stretch held at one end; estimated"
+    )
+    pull_n: float = Field(
+        0.01,
+        ge=1e-4,
+        le=10,
+        description="of the nozzle on a post, N; computed for steady printing: 0.002-0.007",
     )
     caps: bool = Field(True, description="close flat faces; off: the paper's open look")
     cap_spacing_mm: float = Field(

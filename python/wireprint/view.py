@@ -20,6 +20,7 @@ from wireprint.view_styles import (
     MODEL,
     TRAVEL,
     TRAVELS,
+    WEAK,
     WHITE,
     Entry,
     legend,
@@ -163,6 +164,7 @@ def render_png(
     kinds: Collection[str] | None = None,
     travels: bool = False,
     breaches: Iterable[Sequence[float]] = (),
+    weak: Iterable[Sequence[float]] = (),
     edges: bool = False,
     with_legend: bool | None = None,
     title: str | None = None,
@@ -185,6 +187,8 @@ def render_png(
         Whether moves without extrusion are drawn, as thin lines.
     breaches
         Points (x, y, z) in mm that are marked in red.
+    weak
+        Points in mm that are marked as giving way easily, in black.
     edges
         Whether the edges of a model's triangles are drawn.
     with_legend
@@ -207,10 +211,11 @@ def render_png(
     shown = load(source)
     scene = Scene(floor=True)
     entries = _fill(scene, shown, kinds, travels, edges)
-    marks = _points(breaches)
-    if marks:
-        scene.add_marks(marks, BREACH, BREACH_RADIUS_MM)
-        entries.append(Entry("breach", f"breach ({len(marks)})", BREACH))
+    for name, points, colour in (("weak", weak, WEAK), ("breach", breaches, BREACH)):
+        marks = _points(points)
+        if marks:
+            scene.add_marks(marks, colour, BREACH_RADIUS_MM)
+            entries.append(Entry(name, f"{name} ({len(marks)})", colour))
     if with_legend is None:
         with_legend = size[0] >= LEGEND_FROM_PX
     angles = camera_angles(camera)
@@ -237,6 +242,7 @@ def render_html(
     kinds: Collection[str] | None = None,
     travels: bool = False,
     breaches: Iterable[Sequence[float]] = (),
+    weak: Iterable[Sequence[float]] = (),
     camera: str = "iso",
     title: str | None = None,
 ) -> str:
@@ -244,7 +250,7 @@ def render_html(
 
     Parameters
     ----------
-    source, kinds, travels, breaches, title
+    source, kinds, travels, breaches, weak, title
         See `render_png`; here kinds and travels can be switched on and off.
     path
         HTML file to write; none by default.
@@ -277,6 +283,7 @@ def render_html(
 
         page.add_groups(groups(shown))
     page.add_marks(_points(breaches))
+    page.add_weak(_points(weak))
     text = page.text()
     if path is not None:
         _write(path, text.encode(), source)
@@ -296,8 +303,8 @@ def _title(title: str | None, source: Source) -> str:
     return one_line(title)
 
 
-def _points(breaches: Iterable[Sequence[float]]) -> list[tuple[float, float, float]]:
-    return [(float(x), float(y), float(z)) for x, y, z in breaches]
+def _points(marked: Iterable[Sequence[float]]) -> list[tuple[float, float, float]]:
+    return [(float(x), float(y), float(z)) for x, y, z in marked]
 
 
 def _mesh(shown: Mesh | Model) -> Mesh:

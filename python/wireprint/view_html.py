@@ -65,6 +65,7 @@ class Page:
             "groups": [],
             "grid": [],
             "marks": [],
+            "weak": [],
         }
 
     def add_strands(
@@ -135,6 +136,10 @@ class Page:
     def add_marks(self, points: Sequence[tuple[float, float, float]]) -> None:
         """Add points that are marked in red and that nothing hides."""
         self.data["marks"] = [round(value, 3) for point in points for value in point]
+
+    def add_weak(self, points: Sequence[tuple[float, float, float]]) -> None:
+        """Add points that are marked as weak, likewise."""
+        self.data["weak"] = [round(value, 3) for point in points for value in point]
 
     def text(self) -> str:
         """Return the page."""

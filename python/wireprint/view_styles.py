@@ -59,6 +59,7 @@ UNLABELLED: Final = "no label"
 
 TRAVEL: Final[Rgb] = (178, 190, 202)
 BREACH: Final[Rgb] = (222, 22, 34)
+WEAK: Final[Rgb] = (16, 16, 16)
 MODEL: Final[Rgb] = (120, 164, 208)
 EDGE: Final[Rgb] = (52, 78, 106)
 WHITE: Final[Rgb] = (255, 255, 255)

@@ -49,6 +49,8 @@ class Job:
     force: bool
     #: Whether it is asked for how far strands lie off the surface.
     compare: bool
+    #: Whether it is asked for where the print gives way easily.
+    weak: bool
     #: Whether each model is turned into its best pose.
     orient: bool
 
@@ -75,6 +77,7 @@ class Job:
                 orient=self.orient,
                 partial=self.force,
                 oversize=self.force,
+                weak=self.weak,
             )
         except IncompleteError as error:
             forced = "\n--force writes it all the same" if error.usable else ""
@@ -93,6 +96,8 @@ class Job:
             "printer": settings.printer.name,
             "material": settings.material.name,
         } | made.figures()
+        if self.weak and made.weak is None:
+            warnings.append("how far it gives way while it grows was not judged: too much work")
         figures["warnings"] += warnings
         return Sliced(made.gcode, figures, clock)
 

@@ -48,6 +48,9 @@ if TYPE_CHECKING:
     is_flag=True,
     help="Write the file even if it breaks the rules or leaves much of the model out.",
 )
+@click.option(
+    "--weak", is_flag=True, help="Tell where the print gives way easily; --json always does."
+)
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 @click.pass_context
 def slice_models(
@@ -57,6 +60,7 @@ def slice_models(
     output: str,
     as_json: bool,
     force: bool,
+    weak: bool,
     quiet: bool,
     orient: bool,
     **options: Any,
@@ -81,6 +85,7 @@ def slice_models(
         options,
         force=force,
         compare=as_json or not quiet,
+        weak=as_json or weak,
         orient=orient,
     )
     told = Told(models, as_json=as_json, quiet=quiet, to_stderr=output == STREAM)

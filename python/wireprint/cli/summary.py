@@ -5,10 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from wireprint.timing import clock
+from wireprint.weakness import Weak
 from wireprint.wholeness import told
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
+
+#: Weak places that are told; of more, their number.
+_WEAK = 5
 
 
 def lines(figures: Mapping[str, Any]) -> list[str]:
@@ -44,6 +48,10 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
             "not printed",
             f"{told(part)}: {part['help']}",
         )
+    for place in (figures["weak"] or ())[:_WEAK]:
+        yield _row("weak", str(Weak(**place)))
+    if (rest := len(figures["weak"] or ()) - _WEAK) > 0:
+        yield _row("weak", f"and {rest} more places")
     if (regions := figures["regions"]) is not None:
         yield from _of_regions(regions)
     for sentence in figures["warnings"]:

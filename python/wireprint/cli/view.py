@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from wireprint.view import Shown
     from wireprint.view_stages import Stage
+    from wireprint.weakness import Weak
 
 
 class PixelSize(click.ParamType[tuple[int, int]]):
@@ -92,6 +93,7 @@ _STAGES = ("slices", "contours", "strips", "posts", "strands", "toolpath")
 @click.option("--size", type=PixelSize(), default=(1600, 1200), help="Pixels of a picture.")
 @click.option("--travels", is_flag=True, help="Draw moves without extrusion, too.")
 @click.option("--kinds", type=Words(), help="Show only these: contour, post, diagonal, …")
+@click.option("--weak", is_flag=True, help="Mark and tell where G-code's posts give way easily.")
 @click.option("--edges", is_flag=True, help="Draw the edges of a model's triangles.")
 @click.option("--stage", type=click.Choice(_STAGES), help="Draw what this stage makes of a model.")
 @click.option("--slabs", type=SlabRange(), help="Slabs of that stage, from 0; default: all.")
@@ -105,6 +107,7 @@ def view(
     size: tuple[int, int],
     travels: bool,
     kinds: tuple[str, ...] | None,
+    weak: bool,
     edges: bool,
     stage: Stage | None,
     slabs: range | None,
@@ -127,6 +130,7 @@ def view(
         files.PICTURE_SUFFIXES + files.PAGE_SUFFIXES,
         [file, *marks.files, *chosen.files],
     )
+    places: tuple[Weak, ...] = ()
     by_stdin = is_stream(file) and options["file_format"] is None
     if by_stdin or pictures.is_gcode(file):
         if marks.fill or marks.files:
@@ -134,6 +138,7 @@ def view(
         if stage is not None:
             raise click.UsageError(f"{file}: --stage draws what becomes of a model; name its model")
         shown: Shown = pictures.strands_in(file)
+        places = _weak(file) if weak else ()
     elif stage is not None:
         from wireprint import view_stages
 
@@ -150,9 +155,25 @@ def view(
         "kinds": kinds,
         "travels": travels or stage == "toolpath",
         "title": file.name if stage is None else f"{file.name}: {stage}",
+        "weak": [place.place_mm for place in places],
     }
     if str(target).lower().endswith(files.PAGE_SUFFIXES):
         target.write(pictures.render_html(shown, **common).encode())
     else:
         target.write(pictures.render_png(shown, size=size, edges=edges, **common))
     say(f"{target}: {file.name}", err=output == STREAM)
+    for place in places:
+        say(f"  weak        {place}", err=output == STREAM)
+
+
+def _weak(file: Path) -> tuple[Weak, ...]:
+    """Find where a print gives way easily, by the printer that its file names."""
+    from wireprint.gcode.source import read
+    from wireprint.rules import settings_for
+    from wireprint.weakness import find_weak
+
+    text, _ = read(file)
+    places = find_weak(text, settings_for(text, None))
+    if places is None:
+        say(f"{file}: how far it gives way was not judged: too much work", err=True)
+    return places or ()

@@ -17,6 +17,7 @@ pub mod geometry;
 pub mod head;
 pub mod memory;
 pub mod mesh;
+pub mod physics;
 pub mod planner;
 pub mod poses;
 pub mod render;

@@ -19,24 +19,24 @@ use crate::errors::{SettingError, detached};
 use crate::mesh::Mesh;
 use crate::params::Params;
 
-type Point = (f64, f64, f64);
+pub type Point = (f64, f64, f64);
 
 /// What reads a file, as `wireprint.rules` resolves it.
 #[derive(Deserialize)]
-struct Reading {
+pub struct Reading {
     klipper: bool,
     arc_resolution_mm: f64,
     strand_mm: f64,
     homing: Homing,
     retraction: Option<Retraction>,
-    macros: Vec<(String, String)>,
+    pub macros: Vec<(String, String)>,
 }
 
 /// Chords may stray from an arc by this share of a strand's diameter: a joint's squash is half of it.
 const ARC_SAGITTA: f64 = 1.0 / 32.0;
 
 impl Reading {
-    fn machine(&self) -> MachineSettings {
+    pub fn machine(&self) -> MachineSettings {
         let default = if self.klipper { Retraction::KLIPPER } else { Retraction::MARLIN };
         MachineSettings {
             dialect: if self.klipper { Dialect::Klipper } else { Dialect::Marlin },
@@ -288,7 +288,7 @@ fn checked(Params(terms): Params<Terms>) -> PyResult<Terms> {
     Ok(terms)
 }
 
-fn require_positive(name: &str, value: f64) -> PyResult<()> {
+pub fn require_positive(name: &str, value: f64) -> PyResult<()> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
     }
@@ -320,14 +320,23 @@ pub fn certify(
     text: &Bound<'_, PyBytes>,
     rules: &Bound<'_, PyDict>,
 ) -> PyResult<Certificate> {
+    let (reading, rules) = judging(rules)?;
+    let (text, machine) = (text.as_bytes(), reading.machine());
+    let core = detached(py, || check::certify_text(text, machine, &reading.macros, &rules))?;
+    Ok(Certificate { core })
+}
+
+/// What a file is read and judged by.
+///
+/// # Errors
+/// `SettingError` for a rule out of its bounds.
+pub fn judging(rules: &Bound<'_, PyDict>) -> PyResult<(Reading, Rules)> {
     let Params(reading) = rules.extract::<Params<Reading>>()?;
     let Params(rules) = rules.extract::<Params<Rules>>()?;
     require_positive("strand_mm", rules.strand)?;
     require_positive("bed_contact_mm", rules.bed_contact)?;
     require_positive("arc_resolution_mm", reading.arc_resolution_mm)?;
-    let (text, machine) = (text.as_bytes(), reading.machine());
-    let core = detached(py, || check::certify_text(text, machine, &reading.macros, &rules))?;
-    Ok(Certificate { core })
+    Ok((reading, rules))
 }
 
 /// An uncovered patch: area in mm², centroid, lowest and highest coordinates in mm.

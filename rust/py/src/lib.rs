@@ -10,6 +10,7 @@ mod gcode;
 mod layered;
 mod mesh;
 mod params;
+mod physics;
 mod render;
 mod slices;
 mod threemf;
@@ -33,6 +34,8 @@ mod _core {
     use super::gcode::{format_moves, insert_progress};
     #[pymodule_export]
     use super::mesh::Mesh;
+    #[pymodule_export]
+    use super::physics::growth;
     #[pymodule_export]
     use super::render::{Scene, Strands, Thumbnails};
     #[pymodule_export]

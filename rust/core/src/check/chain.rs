@@ -2,7 +2,7 @@
 
 /// A strand's place in its chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Link {
+pub(crate) struct Link {
     /// Number of the chain.
     pub chain: u32,
     /// Length of the chain before the strand, mm.

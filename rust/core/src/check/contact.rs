@@ -10,7 +10,7 @@ use super::rules::Rules;
 
 /// Coordinates in G-code are rounded, usually to a thousandth of a millimetre; both strands of a
 /// contact may be off by half of that along each axis.
-const ROUNDING_MM: f64 = 2e-3;
+pub(crate) const ROUNDING_MM: f64 = 2e-3;
 
 /// Material of the same chain counts from this many strand diameters back.
 pub(super) const OWN_CHAIN_DIAMETERS: f64 = 3.0;
@@ -19,7 +19,7 @@ pub(super) const OWN_CHAIN_DIAMETERS: f64 = 3.0;
 pub(super) type Part = [f64; 2];
 
 /// Greatest distance between centrelines in contact, mm.
-pub(super) fn touch(rules: &Rules) -> f64 {
+pub(crate) fn touch(rules: &Rules) -> f64 {
     rules.strand + ROUNDING_MM
 }
 
@@ -51,7 +51,7 @@ fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> {
         if a.max(b).cmplt(low).any() || a.min(b).cmpgt(high).any() {
             return ControlFlow::Continue(());
         }
-        let material = eligible(strand, other, deposit, rules.strand * OWN_CHAIN_DIAMETERS);
+        let material = eligible(strand, other, deposit, rules);
         if let Some(part) = material.and_then(|material| within(ends, material, radius)) {
             covered = insert(&mut parts, part, covered);
         }
@@ -72,16 +72,23 @@ fn insert(parts: &mut Vec<Part>, part: Part, mut covered: f64) -> f64 {
     covered
 }
 
-/// The part of strand `other` that may hold `strand`: all of it, or, in the same chain, what lies
-/// at least `back` mm before the strand's start.
-fn eligible(strand: u32, other: u32, deposit: &Deposit, back: f64) -> Option<[DVec3; 2]> {
-    let (link, from) = (deposit.links[strand as usize], deposit.links[other as usize]);
+/// The part of strand `other` that may hold `strand`: see [`held_up_to`].
+fn eligible(strand: u32, other: u32, deposit: &Deposit, rules: &Rules) -> Option<[DVec3; 2]> {
     let [a, b] = deposit.strands[other as usize];
+    let share = held_up_to(strand, other, deposit, rules)?;
+    Some([a, if share < 1.0 { a.lerp(b, share) } else { b }])
+}
+
+/// Up to where along it (0–1) strand `other` may hold `strand`: all of it, or, in the same chain,
+/// what lies at least three diameters before the strand's start; none of it, where that is nothing.
+pub(crate) fn held_up_to(strand: u32, other: u32, deposit: &Deposit, rules: &Rules) -> Option<f64> {
+    let (link, from) = (deposit.links[strand as usize], deposit.links[other as usize]);
     if link.chain != from.chain {
-        return Some([a, b]);
+        return Some(1.0);
     }
+    let back = rules.strand * OWN_CHAIN_DIAMETERS;
     let share = (link.arc - back - from.arc) / from.length;
-    (share > 0.0).then(|| [a, a.lerp(b, share.min(1.0))])
+    (share > 0.0).then_some(share.min(1.0))
 }
 
 /// The part of a segment whose height is at most `height`.

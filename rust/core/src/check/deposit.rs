@@ -24,7 +24,7 @@ const NO_DWELL: f64 = -1.0;
 
 /// All strands, and for each move how many were there before it.
 #[derive(Debug)]
-pub(super) struct Deposit {
+pub(crate) struct Deposit {
     /// Ends of each strand, mm.
     pub strands: Vec<[DVec3; 2]>,
     /// Line of each strand.
@@ -47,7 +47,7 @@ pub(super) struct Deposit {
 
 impl Deposit {
     /// Lays the strands of `moves`; after those in `dwells`, in order, the head stands still.
-    pub(super) fn of(moves: &[Step], dwells: &[Dwell], bed: &Bed) -> Self {
+    pub(crate) fn of(moves: &[Step], dwells: &[Dwell], bed: &Bed) -> Self {
         let mut laying = Laying::default();
         let mut dwells = dwells.iter().copied().peekable();
         for (index, step) in moves.iter().enumerate() {

@@ -56,7 +56,7 @@ impl Entry {
 
 /// The grid; what lies outside its rectangle is neither kept nor found.
 #[derive(Debug)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     low: DVec2,
     cell: DVec2,
     columns: usize,
@@ -134,7 +134,7 @@ impl Grid {
     /// segment (mm, over xy), latest first in each cell, until nothing in the cell rises above
     /// `height`, or until `found` breaks off. A strand in several cells is found in the first
     /// of those that follow on one another.
-    pub(super) fn earlier(
+    pub(crate) fn earlier(
         &self,
         segment: [DVec3; 2],
         reach: f64,

@@ -27,18 +27,18 @@
 //! nearer touches by mere continuity, and holds nothing.
 
 mod bounds;
-mod chain;
+pub(crate) mod chain;
 mod closing;
 mod collide;
-mod contact;
-mod deposit;
+pub(crate) mod contact;
+pub(crate) mod deposit;
 mod feed;
 mod file;
-mod grid;
+pub(crate) mod grid;
 mod judge;
 mod nozzle;
-mod reading;
-mod rules;
+pub(crate) mod reading;
+pub(crate) mod rules;
 mod settle;
 mod stretch;
 mod verdict;

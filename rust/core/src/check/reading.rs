@@ -26,16 +26,16 @@ const ARCS: &str = "the arcs up to here have more chords than a text of this len
 pub type Macros = [(String, String)];
 
 /// A text as it was read.
-pub(super) struct Reading {
-    pub(super) notes: Notes,
+pub(crate) struct Reading {
+    pub(crate) notes: Notes,
     /// The `;TYPE:` labels that the moves refer to.
-    pub(super) features: Vec<String>,
+    pub(crate) features: Vec<String>,
     /// Whether E was taken as relative though the text does not say so.
     pub(super) relative_assumed: bool,
 }
 
 impl Reading {
-    pub(super) fn of(
+    pub(crate) fn of(
         text: &[u8],
         settings: MachineSettings,
         macros: &Macros,
@@ -64,7 +64,7 @@ fn expansion<'a>(command: &Command<'_>, macros: &'a Macros) -> Option<&'a str> {
 }
 
 /// What is noted on the way through a text.
-pub(super) struct Notes {
+pub(crate) struct Notes {
     dialect: Dialect,
     nozzle: Nozzle,
     /// Which of X, Y and Z are where the machine says that they are.
@@ -76,8 +76,8 @@ pub(super) struct Notes {
     /// Whether the last extrusion was cold, the last move unhomed: a run is named once.
     was_cold: bool,
     was_unhomed: bool,
-    pub(super) moves: Vec<Step>,
-    pub(super) dwells: Vec<Dwell>,
+    pub(crate) moves: Vec<Step>,
+    pub(crate) dwells: Vec<Dwell>,
     pub(super) cold: Vec<Cold>,
     pub(super) unhomed: Vec<Unhomed>,
     pub(super) unjudged: Vec<Unjudged>,

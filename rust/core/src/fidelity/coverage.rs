@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 use rayon::prelude::*;
-use serde::Deserialize;
 
 use super::left_out::LeftOut;
 use super::patches::{Bare, Patch, patches};
-use super::samples::{Pitch, Samples};
+use super::samples::Pitch;
 use super::segments::Segments;
 use super::shells::{Probe, Shells};
+use super::survey::{Survey, Terms};
 use crate::mesh::Mesh;
 
 /// Faces that one task samples.
@@ -19,27 +19,6 @@ const AT_ONCE: usize = 1 << 20;
 
 /// Places by which the area that no shell encloses is measured: enough for a thousandth of it.
 const PROBES: f64 = 65536.0;
-
-/// What counts as covered, and which surface counts at all.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-pub struct Terms {
-    /// Distance from a strand up to which surface is covered, mm.
-    #[serde(rename = "within_mm")]
-    pub within: f64,
-    /// Diameter of a strand, mm. Surface in a gap of half of that shows no strand.
-    #[serde(rename = "strand_mm")]
-    pub strand: f64,
-    /// Sine of the steepest slope that counts as level, 0–1.
-    #[serde(rename = "level_sine")]
-    pub level: f64,
-    /// Whether level faces are to be closed.
-    pub caps: bool,
-    /// Whether what would hang in the air is to be supported.
-    pub supports: bool,
-    /// Longest stretch held at both ends, mm: level faces wider than that want supports.
-    #[serde(rename = "span_limit_mm")]
-    pub span: f64,
-}
 
 /// How much of a model's surface its strands show.
 #[derive(Debug, Clone, Default)]
@@ -88,32 +67,7 @@ pub fn coverage(mesh: &Mesh, strands: &[[DVec3; 2]], terms: &Terms) -> Coverage 
     Coverage { share, area, uncovered }
 }
 
-/// A mesh with the samples on it.
-pub(super) struct Survey<'a> {
-    pub mesh: &'a Mesh,
-    pitch: Pitch,
-    /// Distance from the surface at which a sample must be outside, mm.
-    off: f64,
-}
-
 impl Survey<'_> {
-    pub(super) fn samples(&self, face: usize) -> Samples {
-        self.pitch.samples(self.mesh.corners(face))
-    }
-
-    /// Where a sample is, mm.
-    pub(super) fn point(&self, sample: Bare) -> DVec3 {
-        self.samples(sample.face as usize).point(sample.number)
-    }
-
-    /// The places just off a face's samples.
-    pub(super) fn probes(&self, face: usize) -> impl Fn(DVec3) -> Probe {
-        let [a, b, c] = self.mesh.corners(face);
-        let normal = (b - a).cross(c - a).normalize_or_zero();
-        let (axis, off) = (normal.abs().max_position(), normal * self.off);
-        move |p| Probe { at: p + off, axis }
-    }
-
     /// The samples that no strand is near to.
     fn bare(&self, strands: &[[DVec3; 2]], within: f64) -> Vec<Bare> {
         let (low, high) = self.mesh.bounds();

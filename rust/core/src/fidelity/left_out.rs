@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use super::coverage::{Survey, Terms};
 use super::hanging::{Hanging, lowest, minima};
 use super::patches::{Bare, Patch};
 use super::shells::Shells;
+use super::survey::{Survey, Terms};
 
 /// What does not count.
 pub(super) struct LeftOut {

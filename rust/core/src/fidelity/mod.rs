@@ -14,9 +14,11 @@ mod patches;
 mod samples;
 mod segments;
 mod shells;
+mod survey;
 mod triangle;
 mod triangles;
 
-pub use coverage::{Coverage, Terms, coverage};
+pub use coverage::{Coverage, coverage};
 pub use deviation::{Deviation, Surface};
 pub use patches::Patch;
+pub use survey::Terms;

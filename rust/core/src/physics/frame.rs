@@ -1,0 +1,211 @@
+//! The frame: nodes where strands are in contact, and beams between them.
+
+use std::ops::ControlFlow;
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::closest::closest;
+use crate::check::contact::{ROUNDING_MM, held_up_to, touch};
+use crate::check::deposit::Deposit;
+use crate::check::rules::Rules;
+use crate::geometry::disjoint_sets::UnionFind;
+
+/// Beams shorter than this are joints, mm: what G-code resolves.
+const SHORTEST_MM: f64 = 1e-3;
+
+/// Strands that one task looks at.
+const BATCH: usize = 64;
+
+/// A piece of a strand between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Beam {
+    /// The node nearer to the strand's start.
+    pub from: u32,
+    /// The other one.
+    pub to: u32,
+    /// Its strand.
+    pub strand: u32,
+}
+
+/// All strands as beams, in the order in which they are laid.
+#[derive(Debug, Default)]
+pub(super) struct Frame {
+    /// Where each node is, mm: in the middle of the places that are joined there.
+    pub places: Vec<DVec3>,
+    /// Whether it lies on the bed.
+    pub fixed: Vec<bool>,
+    pub beams: Vec<Beam>,
+    /// Nodes at the start and the end of each strand that counts.
+    pub ends: Vec<Option<[u32; 2]>>,
+}
+
+/// Two places of strands that touch.
+#[derive(Debug, Clone, Copy)]
+struct Contact {
+    strands: [u32; 2],
+    /// Where along each, 0–1.
+    at: [f64; 2],
+}
+
+impl Contact {
+    /// Number of places that are no end of their strand.
+    fn inner(&self) -> usize {
+        self.at.iter().filter(|&&u| u != 0.0 && u != 1.0).count()
+    }
+}
+
+impl Frame {
+    /// The frame of the strands for which `counts` holds.
+    pub(super) fn of(
+        deposit: &Deposit,
+        rules: &Rules,
+        counts: impl Fn(usize) -> bool + Sync,
+    ) -> Self {
+        let count = deposit.strands.len();
+        let mut contacts: Vec<Contact> = (0..count)
+            .into_par_iter()
+            .with_min_len(BATCH)
+            .filter(|&strand| counts(strand))
+            .flat_map_iter(|strand| {
+                let mut found = Vec::new();
+                contacts_of(strand as u32, deposit, rules, &counts, &mut found);
+                found
+            })
+            .collect();
+        // Ends first: what touches near an end then touches there.
+        contacts.sort_by_key(|contact| (contact.inner(), contact.strands));
+        let mut joining = Joining::new(deposit, touch(rules));
+        for contact in contacts {
+            joining.join(&contact);
+        }
+        joining.frame(rules.bed_contact + ROUNDING_MM, counts)
+    }
+}
+
+/// Where a strand touches those laid before it.
+fn contacts_of(
+    strand: u32,
+    deposit: &Deposit,
+    rules: &Rules,
+    counts: &impl Fn(usize) -> bool,
+    found: &mut Vec<Contact>,
+) {
+    let ends = deposit.strands[strand as usize];
+    let chain = |strand: u32| deposit.links[strand as usize].chain;
+    if let Some(last) = strand.checked_sub(1)
+        && chain(last) == chain(strand)
+        && counts(last as usize)
+    {
+        found.push(Contact { strands: [last, strand], at: [1.0, 0.0] });
+    }
+    let reach = touch(rules);
+    let low = ends[0].min(ends[1]) - reach;
+    let high = ends[0].max(ends[1]) + reach;
+    deposit.grid.earlier(ends, reach, strand, low.z, |other| {
+        let [a, b] = deposit.strands[other as usize];
+        let beside = a.max(b).cmplt(low).any() || a.min(b).cmpgt(high).any();
+        if !beside
+            && counts(other as usize)
+            && let Some(share) = held_up_to(strand, other, deposit, rules)
+        {
+            let (t, s, distance) = closest([a, a.lerp(b, share)], ends);
+            if distance < reach {
+                let contact = Contact { strands: [other, strand], at: [t * share, s] };
+                found.push(contact);
+            }
+        }
+        ControlFlow::Continue(())
+    });
+}
+
+/// Places along strands, joined as contacts are found.
+struct Joining<'a> {
+    deposit: &'a Deposit,
+    reach: f64,
+    /// Places on each strand with their numbers; its ends come first.
+    on: Vec<Vec<(f64, u32)>>,
+    places: u32,
+    joined: Vec<[u32; 2]>,
+}
+
+impl<'a> Joining<'a> {
+    fn new(deposit: &'a Deposit, reach: f64) -> Self {
+        let count = deposit.strands.len() as u32;
+        let on = (0..count).map(|strand| vec![(0.0, 2 * strand), (1.0, 2 * strand + 1)]).collect();
+        Self { deposit, reach, on, places: 2 * count, joined: Vec::new() }
+    }
+
+    fn join(&mut self, contact: &Contact) {
+        let [a, b] = [0, 1].map(|side| self.place(contact.strands[side], contact.at[side]));
+        self.joined.push([a, b]);
+    }
+
+    /// The place at `u` along a strand: one nearby, or a new one.
+    fn place(&mut self, strand: u32, u: f64) -> u32 {
+        let length = self.deposit.links[strand as usize].length;
+        let on = &mut self.on[strand as usize];
+        let nearest = on.iter().min_by(|a, b| (a.0 - u).abs().total_cmp(&(b.0 - u).abs()));
+        if let Some(&(at, place)) = nearest
+            && (at - u).abs() * length < self.reach
+        {
+            return place;
+        }
+        on.push((u, self.places));
+        self.places += 1;
+        self.places - 1
+    }
+
+    fn frame(self, bed: f64, counts: impl Fn(usize) -> bool) -> Frame {
+        let mut sets = UnionFind::new(self.places as usize);
+        for [a, b] in self.joined {
+            sets.join_alone(a, b);
+        }
+        let mut nodes = Nodes { of: vec![None; self.places as usize], sums: Vec::new() };
+        let mut frame = Frame::default();
+        for (strand, mut on) in self.on.into_iter().enumerate() {
+            if !counts(strand) {
+                frame.ends.push(None);
+                continue;
+            }
+            on.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let [from, to] = self.deposit.strands[strand];
+            let nodes: Vec<u32> =
+                on.iter().map(|&(u, place)| nodes.at(sets.find(place), from.lerp(to, u))).collect();
+            for pair in nodes.windows(2).filter(|pair| pair[0] != pair[1]) {
+                frame.beams.push(Beam { from: pair[0], to: pair[1], strand: strand as u32 });
+            }
+            frame.ends.push(nodes.first().zip(nodes.last()).map(|(&a, &b)| [a, b]));
+        }
+        frame.places = nodes.sums.iter().map(|&(sum, count)| sum / count).collect();
+        frame.fixed = frame.places.iter().map(|place| place.z <= bed).collect();
+        let Frame { places, fixed, beams, .. } = &mut frame;
+        beams.retain(|&Beam { from, to, .. }| {
+            let [a, b] = [from, to].map(|node| node as usize);
+            places[a].distance(places[b]) > SHORTEST_MM && !(fixed[a] && fixed[b])
+        });
+        frame
+    }
+}
+
+/// Nodes in the order in which they are met.
+struct Nodes {
+    /// The node of each set of places.
+    of: Vec<Option<u32>>,
+    /// Sum and number of the places of each.
+    sums: Vec<(DVec3, f64)>,
+}
+
+impl Nodes {
+    fn at(&mut self, set: u32, place: DVec3) -> u32 {
+        let count = self.sums.len() as u32;
+        let node = *self.of[set as usize].get_or_insert(count);
+        if node == count {
+            self.sums.push((DVec3::ZERO, 0.0));
+        }
+        let (sum, number) = &mut self.sums[node as usize];
+        *sum += place;
+        *number += 1.0;
+        node
+    }
+}
