@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from wireprint import _core
-from wireprint.certificate import Point
 from wireprint.rules import rules_of
+from wireprint.verdict import Point
 
 if TYPE_CHECKING:
     from wireprint.settings import Settings
