@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 import shared_models
 from wireprint import examples
 from wireprint._core import KINDS
-from wireprint.hybrid.cut import Cut, Samples
+from wireprint.hybrid.sketch import Sketch
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
 from wireprint.regions import Box, HalfSpace, Region, Sphere, ZRange
@@ -61,9 +61,7 @@ SAME = 1e-3
 def surface(mesh):
     """Short pieces of the model's contours at all heights, with their areas."""
     plain = make(mesh, SETTINGS, certify=False)
-    strand_mm = SETTINGS.printer.head.nozzle_mm
-    cut = Cut.of(plain.wireframe, mesh, SETTINGS.regions.layer_height_mm, strand_mm)
-    return plain, Samples.of(cut, mesh, strand_mm)
+    return plain, Sketch(mesh, plain.wireframe, SETTINGS).samples
 
 
 def height_above(samples, percent):

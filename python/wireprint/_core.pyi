@@ -46,6 +46,7 @@ __all__ = [
     "format_moves",
     "growth",
     "insert_progress",
+    "nearest",
     "read_model_part",
     "read_slicer_config",
     "slice_mesh",
@@ -488,6 +489,9 @@ def wireframe(
     params: Mapping[str, object],
     layered: _Layered | None = None,
 ) -> Wireframe: ...
+def nearest(
+    places: npt.NDArray[np.float64], among: npt.NDArray[np.float64]
+) -> npt.NDArray[np.uint32]: ...
 def toolpath(wireframe: Wireframe, params: Mapping[str, object]) -> Toolpath: ...
 
 _Point: TypeAlias = tuple[float, float, float]

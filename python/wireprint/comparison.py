@@ -185,11 +185,11 @@ def _hybrid(region: Region, mesh: Mesh, settings: Settings) -> tuple[Settings, T
     from wireprint.fitting import fitted
     from wireprint.hybrid.motion import motion
     from wireprint.hybrid.prove import proved
-    from wireprint.stages import wireframe
+    from wireprint.hybrid.sketch import Sketch
 
     place = fitted(mesh, settings)
     moved = region.transformed(motion(mesh, place.mesh, (0.0, 0.0, place.turn_deg)))
-    return settings, proved(place.mesh, wireframe(place.mesh, settings), moved, settings).toolpath
+    return settings, proved(Sketch.of(place.mesh, settings), moved).toolpath
 
 
 #: What `wireprint.make` makes.

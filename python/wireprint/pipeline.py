@@ -201,11 +201,12 @@ def make(
     if region:
         from wireprint.hybrid.motion import motion
         from wireprint.hybrid.prove import proved
+        from wireprint.hybrid.sketch import Sketch
 
         with clock.stage("regions"):
             x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
             moved = region.transformed(motion(given, mesh, (x, y, z + place.turn_deg)))
-            regions = proved(mesh, strands, moved, settings)
+            regions = proved(Sketch(mesh, strands, settings), moved)
             strands = regions.wireframe
     if not strands.strand_count:
         left_out = report.unprinted(strands.unprinted, None, settings)

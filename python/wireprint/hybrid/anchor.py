@@ -29,25 +29,53 @@ _STEP = 0.4
 _OUTER = 0.6
 #: No model is as wide, mm.
 _APART_MM = 1e4
+#: Layers that share a tree.
+_TOGETHER = 32
 #: Most times that all lines are gone through.
 _PASSES = 4
 #: What is left of a line must be this many strands long.
 _LEAST = 1.5
 
 
-def anchored(route: Route, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float) -> Route:
+class Touchable:
+    """What lines may begin on besides other lines: contours, and rims of slabs.
+
+    Trees of it are made for the layers that are asked for, and kept.
+    """
+
+    def __init__(self, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float) -> None:
+        """Take the layers, and other segments that are there before them.
+
+        Parameters
+        ----------
+        cut
+            The layers; the contours at the tops of slabs are there before the layers above them.
+        rims
+            Other segments that are, shape (S, 2, 2), mm, and the layer at whose height they lie.
+        strand_mm
+            Diameter of a strand, mm.
+        """
+        self.strand_mm = strand_mm
+        segments, contour = _segments(cut)
+        layer = cut.layer[contour]
+        # The rims of slabs count as lines of the layer at that height; a bed has its own.
+        is_rim, on_bed = cut.is_last()[layer], layer == 0
+        self.contours = _Layers(segments, layer)
+        self.rims = _Layers(
+            np.concatenate([segments[is_rim], segments[on_bed], rims[0]]),
+            np.concatenate([layer[is_rim], layer[on_bed] - 1, rims[1]]),
+        )
+
+
+def anchored(route: Route, touchable: Touchable) -> Route:
     """Mend each line that begins in the air, or ends where nothing will ever meet it.
 
     Parameters
     ----------
     route
         Lines in printing order.
-    cut
-        The layers; the contours at the tops of slabs are there before the layers above them.
-    rims
-        Other segments that are, shape (S, 2, 2), mm, and the layer at whose height they lie.
-    strand_mm
-        Diameter of a strand, mm.
+    touchable
+        What they may begin on besides each other.
 
     Returns
     -------
@@ -60,7 +88,7 @@ def anchored(route: Route, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float
         return route
     # What is cut off may have held what is printed later.
     for _ in range(_PASSES):
-        mended = _mended(route, _Ground(route, cut, rims, strand_mm))
+        mended = _mended(route, _Ground(route, touchable))
         if mended is route:
             break
         route = mended
@@ -102,23 +130,15 @@ def _mended(route: Route, ground: _Ground) -> Route:
 class _Ground:
     """What is there before each line is printed, and what will be."""
 
-    def __init__(self, route: Route, cut: Cut, rims: tuple[Floats, Ints], strand_mm: float) -> None:
+    def __init__(self, route: Route, touchable: Touchable) -> None:
         self.layer = route.layer[route.offsets[:-1]]
         line = np.repeat(np.arange(len(self.layer)), np.diff(route.offsets))
         own = np.flatnonzero(line[1:] == line[:-1])
-        # The rims of slabs count as lines of the layer at that height; a bed has its own.
-        contours, contour = _segments(cut)
-        layer = cut.layer[contour]
-        is_rim, on_bed = cut.is_last()[layer], layer == 0
-        self.strand_mm = strand_mm
+        self.strand_mm = touchable.strand_mm
         self.order = line[own]
         ends = np.stack([route.points[own, :2], route.points[own + 1, :2]], axis=1)
         self.lines = _Layers(ends, self.layer[line[own]])
-        self.contours = _Layers(contours, layer)
-        self.rims = _Layers(
-            np.concatenate([contours[is_rim], contours[on_bed], rims[0]]),
-            np.concatenate([layer[is_rim], layer[on_bed] - 1, rims[1]]),
-        )
+        self.contours, self.rims = touchable.contours, touchable.rims
 
     def holds(self, points: Floats, line: Ints, rim: float = _TOUCH_RIM) -> Bools:
         """Tell which points lie on what is there before the lines of these numbers.
@@ -206,14 +226,34 @@ class _Layers:
     """Segments on many layers, found by layer and place."""
 
     def __init__(self, segments: Floats, layer: Ints) -> None:
-        # One tree for all: the layers lie side by side.
-        self.tree = shapely.STRtree(shapely.linestrings(_aside(segments, layer)))
+        # One tree for many layers, which lie side by side in it; those never asked for have none.
+        self.layer = layer
+        self.segments = segments
+        self.order = np.argsort(layer // _TOGETHER, kind="stable")
+        self.blocks = (layer // _TOGETHER)[self.order]
+        self.trees: dict[int, tuple[shapely.STRtree, Ints]] = {}
 
     def near(self, points: Floats, layer: Ints, distance_mm: float) -> tuple[Ints, Ints]:
         """Return pairs of a point and a segment on the layer asked for that are near enough."""
+        asked, found = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)]
         places = shapely.points(_aside(points, layer))
-        asked, found = self.tree.query(places, predicate="dwithin", distance=distance_mm)
-        return asked, found
+        blocks = layer // _TOGETHER
+        for block in np.unique(blocks).tolist():
+            tree, numbers = self._tree(block)
+            own = np.flatnonzero(blocks == block)
+            at, hit = tree.query(places[own], predicate="dwithin", distance=distance_mm)
+            asked.append(own[at])
+            found.append(numbers[hit])
+        return np.concatenate(asked), np.concatenate(found)
+
+    def _tree(self, block: int) -> tuple[shapely.STRtree, Ints]:
+        """Return the tree of a block of layers, and the number of each segment in it."""
+        if block not in self.trees:
+            begin, end = np.searchsorted(self.blocks, [block, block + 1])
+            numbers = self.order[begin:end]
+            lines = shapely.linestrings(_aside(self.segments[numbers], self.layer[numbers]))
+            self.trees[block] = shapely.STRtree(lines), numbers
+        return self.trees[block]
 
 
 def _aside(points: Floats, layer: Ints) -> Floats:
@@ -225,7 +265,7 @@ def _aside(points: Floats, layer: Ints) -> Floats:
 
 def _segments(cut: Cut) -> tuple[Floats, Ints]:
     """Return the segments of all contours, shape (S, 2, 2), and the contour of each."""
-    following, lengths = cut.steps()
+    following, lengths = cut.steps
     kept = np.flatnonzero(lengths > 0)
     contour = np.repeat(np.arange(len(cut.closed)), np.diff(cut.offsets))
     return np.stack([cut.points[kept], cut.points[following[kept]]], axis=1), contour[kept]

@@ -54,6 +54,9 @@ def beside_wire(
     A zigzag begins at a region's end with a stroke that leans away from it as steeply as the head
     allows: wire some way along the contour is no higher than what bars the head at that distance.
     """
+    found: Geometries = np.full(len(reach_mm), shapely.MultiPolygon(), dtype=object)
+    if not len(slabs):
+        return found
     far = _along_to_painted(samples, painted, cut.closed)
     layer = cut.layer[samples.contour]
     slab = cut.slab[layer]
@@ -68,7 +71,6 @@ def beside_wire(
     radius = tip_mm + np.minimum(far[chosen], reach_mm[slab[chosen]])
     places = shapely.points(samples.middle[chosen, :2])
     discs = buffered(places, _ROUND * radius, quad_segs=_QUARTER)
-    found: Geometries = np.full(len(reach_mm), shapely.MultiPolygon(), dtype=object)
     order = np.argsort(slab[chosen], kind="stable")
     ends = np.searchsorted(slab[chosen][order], np.arange(len(reach_mm) + 1))
     for row, (low, high) in enumerate(pairwise(ends.tolist())):

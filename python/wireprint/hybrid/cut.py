@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -64,13 +65,14 @@ class Cut:
             found["strip"],
         )
 
-    @property
+    @cached_property
     def layer(self) -> Ints:
         """Layer of each contour, shape (M,)."""
         return np.repeat(np.arange(len(self.z)), np.diff(self.slice_offsets))
 
+    @cached_property
     def steps(self) -> tuple[Ints, Floats]:
-        """Return the point after each one along its contour, and the way there, mm.
+        """The point after each one along its contour, and the way there, mm.
 
         An open contour goes nowhere from its last point.
         """
@@ -101,11 +103,11 @@ class Samples:
     area: Floats
 
     @classmethod
-    def of(cls, cut: Cut, mesh: Mesh, strand_mm: float) -> Samples:
-        """Divide all contours into pieces of at most half a strand."""
+    def of(cls, cut: Cut, normals: Floats, strand_mm: float) -> Samples:
+        """Divide all contours into pieces of at most half a strand, given the faces' normals."""
         sizes = np.diff(cut.offsets)
         contour = np.repeat(np.arange(len(sizes)), sizes)
-        following, lengths = cut.steps()
+        following, lengths = cut.steps
         steps = cut.points[following] - cut.points
         along = np.cumsum(lengths) - lengths
         along -= along[cut.offsets[:-1]][contour]
@@ -116,7 +118,7 @@ class Samples:
         begin = along[which] + rank * share
         middle = cut.points[which] + steps[which] * ((rank + 0.5) / count[which])[:, None]
         layer = cut.layer[contour[which]]
-        normal = normals_of(mesh)[cut.face[which]]
+        normal = normals[cut.face[which]]
         steep = np.maximum(np.hypot(normal[:, 0], normal[:, 1]), _FLATTEST)
         return cls(
             contour[which],
@@ -130,7 +132,9 @@ class Samples:
 
 def normals_of(mesh: Mesh) -> Floats:
     """Return the unit normals of all faces, shape (F, 3); upwards for a face without area."""
-    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
+    # Each access makes an array.
+    vertices, faces = mesh.vertices, mesh.faces
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     normals: Floats = np.cross(b - a, c - a)
     lengths = np.linalg.norm(normals, axis=1)
     normals[lengths == 0] = (0.0, 0.0, 1.0)

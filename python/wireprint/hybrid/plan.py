@@ -12,13 +12,10 @@ import shapely
 
 from wireprint.hybrid.anchor import anchored
 from wireprint.hybrid.beside import beside_wire
-from wireprint.hybrid.cut import Cut, Samples, normals_of
 from wireprint.hybrid.depth import Inside
 from wireprint.hybrid.flats import Flats
 from wireprint.hybrid.lines import Laid, lay
 from wireprint.hybrid.runs import Runs, Section, runs_of
-from wireprint.layerwise.areas import buffered
-from wireprint.layerwise.recipe import Recipe
 from wireprint.regions.inside import sections
 from wireprint.stages import line_section_mm2
 
@@ -27,7 +24,9 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
-    from wireprint._core import Mesh, Wireframe, _Layered, _Lids
+    from wireprint._core import _Layered, _Lids
+    from wireprint.hybrid.cut import Cut, Samples
+    from wireprint.hybrid.sketch import Sketch
     from wireprint.layerwise.areas import Geometries
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -54,65 +53,46 @@ class Hollow:
 class Plan:
     """What of a model is printed as layers, and how."""
 
-    cut: Cut
-    samples: Samples
+    sketch: Sketch
     runs: Runs
     flats: Flats
-    #: The contours that slabs begin with, as segments of shape (S, 2, 2), mm, and the layers that
-    #: end at their heights, shape (S,).
-    rims: tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]
     #: What lies inside the region on each layer, shape (K,).
     inside: Geometries
-    #: Heights of the slabs, mm.
-    heights_mm: npt.NDArray[np.float64]
-    #: What is solid on the bed, below the first layer.
-    bed: shapely.Geometry
-    settings: Settings
     #: Slabs in which the inside stays hollow, and why.
     hollow: Mapping[int, str] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, mesh: Mesh, wireframe: Wireframe, region: Region, settings: Settings) -> Plan:
+    def of(cls, sketch: Sketch, region: Region) -> Plan:
         """Find what a region covers.
 
         Parameters
         ----------
-        mesh
-            The model as it stands on the bed.
-        wireframe
-            Its plain wire print, whose slabs are divided.
+        sketch
+            The model and its layers.
         region
             What is marked, in the mesh's coordinates.
-        settings
-            Printer, and how regions are printed.
         """
-        regions, strand_mm = settings.regions, settings.printer.head.nozzle_mm
-        cut = Cut.of(wireframe, mesh, regions.layer_height_mm, strand_mm)
-        samples = Samples.of(cut, mesh, strand_mm)
-        covered = region.covers(samples.middle, samples.normal)
-        born = {
-            (slab, strip)
-            for slab, strips in enumerate(wireframe.strips)
-            for strip, (lower, _, _) in enumerate(strips)
-            if not lower
-        }
-        least_mm = regions.shortest_run * strand_mm
-        head = settings.printer.head
-        # A stroke leans away from each end of the gap as steeply as the head allows.
-        heights_mm = np.diff(wireframe.levels[:, 0])
-        gap_mm = 2 * (head.tip_radius_mm + heights_mm / _slope(settings))
-        runs = runs_of(cut, samples, covered, born, least_mm, np.maximum(gap_mm, least_mm))
-        return cls(
-            cut,
-            samples,
-            runs,
-            Flats.of(mesh, normals_of(mesh), region),
-            _rims(cut, wireframe),
-            _inside(cut, runs, region, strand_mm),
-            heights_mm,
-            _bed(wireframe) if settings.wire.caps else shapely.MultiPolygon(),
-            settings,
-        )
+        samples = sketch.samples
+        runs = runs_of(sketch.strips, region.covers_known(samples.middle, samples.normal))
+        points, normals = sketch.level
+        flats = Flats(points, region.covers_known(points, normals))
+        strand_mm = sketch.settings.printer.head.nozzle_mm
+        return cls(sketch, runs, flats, _inside(sketch.cut, runs, region, strand_mm))
+
+    @property
+    def cut(self) -> Cut:
+        """The layers."""
+        return self.sketch.cut
+
+    @property
+    def samples(self) -> Samples:
+        """Points along the layers' contours."""
+        return self.sketch.samples
+
+    @property
+    def settings(self) -> Settings:
+        """Printer, material, way of wiring and of printing regions."""
+        return self.sketch.settings
 
     @property
     def sections(self) -> tuple[Section, ...]:
@@ -124,29 +104,23 @@ class Plan:
         return replace(self, runs=self.runs.without(numbers), hollow={**hollow, **self.hollow})
 
     @cached_property
-    def recipe(self) -> Recipe:
-        """Widths and counts of the lines."""
-        return Recipe.of(self.settings.regions, self.settings.printer)
-
-    @cached_property
     def laid(self) -> Laid:
         """All lines, each of which begins on something."""
-        recipe, printer = self.recipe, self.settings.printer
+        recipe = self.sketch.recipe
         inset_mm = self.settings.regions.inset * recipe.width_mm
         laid = lay(self.cut, self.samples, self.runs, self._behind(), recipe, inset_mm)
-        route = anchored(laid.route, self.cut, self.rims, printer.head.nozzle_mm)
-        return replace(laid, route=route)
+        return replace(laid, route=anchored(laid.route, self.sketch.touchable))
 
     def _behind(self) -> Inside:
         """Return what of the region lies behind the surface, and what wire leaves of it."""
         painted = self.runs.of_sample >= 0
-        reach_mm = self.heights_mm / _slope(self.settings)
+        reach_mm = self.sketch.heights_mm / self.sketch.slope
         tip_mm = self.settings.printer.head.tip_radius_mm
         wanted = np.unique(self.cut.slab[~shapely.is_empty(self.inside)])
         slabs = beside_wire(self.cut, self.samples, painted, wanted, reach_mm, tip_mm)
         is_had = ~np.isin(self.cut.slab, list(self.hollow))
         longest_mm = self.settings.wire.span_limit_mm
-        return Inside(self.inside, slabs[self.cut.slab], is_had, self.bed, longest_mm)
+        return Inside(self.inside, slabs[self.cut.slab], is_had, self.sketch.bed, longest_mm)
 
     def filled_at(self, place_mm: npt.NDArray[np.float64]) -> int | None:
         """Return the slab in which fill behind walls lies at a place, if there is any."""
@@ -154,7 +128,7 @@ class Plan:
             int(np.searchsorted(self.cut.z, place_mm[2] - _ROUNDING_MM)), len(self.cut.z) - 1
         )
         near = self.laid.depth.filled[layer]
-        if shapely.distance(near, shapely.Point(place_mm[:2])) <= self.recipe.width_mm / 2:
+        if shapely.distance(near, shapely.Point(place_mm[:2])) <= self.sketch.recipe.width_mm / 2:
             return int(self.cut.slab[layer])
         return None
 
@@ -195,7 +169,7 @@ class Plan:
 
     def layered(self) -> _Layered | None:
         """Return what the core needs to know; None where nothing is layers."""
-        printer, recipe, lines = self.settings.printer, self.recipe, self.laid.route
+        printer, recipe, lines = self.settings.printer, self.sketch.recipe, self.laid.route
         if not (len(lines.group) or self.flats.marked.any()):
             return None
         layer = lines.layer[lines.offsets[:-1]]
@@ -219,11 +193,6 @@ class Plan:
         }
 
 
-def _slope(settings: Settings) -> float:
-    """Return the tangent of the steepest stroke down that the head leaves room for."""
-    return math.tan(math.radians(settings.printer.head.slant_deg))
-
-
 def _inside(cut: Cut, runs: Runs, region: Region, strand_mm: float) -> Geometries:
     """Cut the inside of a region on the layers of all slabs that have runs."""
     found: Geometries = np.full(len(cut.z), shapely.MultiPolygon(), dtype=object)
@@ -232,26 +201,3 @@ def _inside(cut: Cut, runs: Runs, region: Region, strand_mm: float) -> Geometrie
         bounds = np.stack([cut.points.min(axis=0), cut.points.max(axis=0)])
         found[layers] = sections(region, cut.z[layers], bounds, strand_mm)
     return found
-
-
-def _bed(wireframe: Wireframe) -> shapely.Geometry:
-    """Return what the contours on the bed enclose."""
-    above = wireframe.contours_above
-    area: shapely.Geometry = shapely.MultiPolygon()
-    for number in np.flatnonzero(above["closed"][: above["slice_offsets"][1]]).tolist():
-        points = above["points"][above["offsets"][number] : above["offsets"][number + 1]]
-        ring = buffered(shapely.polygons(points), 0.0)
-        area = shapely.symmetric_difference(area, ring)
-    return area
-
-
-def _rims(cut: Cut, wireframe: Wireframe) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
-    """Return the contours that begin the slabs above the bed as segments with their layers."""
-    above = wireframe.contours_above
-    points, offsets = above["points"], above["offsets"]
-    following = np.arange(1, len(points) + 1)
-    following[offsets[1:] - 1] = np.where(above["closed"], offsets[:-1], offsets[1:] - 1)
-    slices = above["slice_offsets"]
-    level = np.repeat(np.arange(len(slices) - 1), np.diff(slices)).repeat(np.diff(offsets))
-    last = np.append(-1, np.flatnonzero(cut.is_last()))
-    return np.stack([points, points[following]], axis=1), last[level]

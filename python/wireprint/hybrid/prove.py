@@ -16,8 +16,9 @@ from wireprint.stages import toolpath, wireframe
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from wireprint._core import Mesh, Toolpath, Wireframe
+    from wireprint._core import Toolpath, Wireframe
     from wireprint.certificate import Certificate
+    from wireprint.hybrid.sketch import Sketch
     from wireprint.regions import Region
     from wireprint.settings import Settings
 
@@ -80,19 +81,15 @@ class Proved:
         return float(np.sum(np.linalg.norm(own[:, 1] - own[:, 0], axis=1)))
 
 
-def proved(mesh: Mesh, plain: Wireframe, region: Region, settings: Settings) -> Proved:
+def proved(sketch: Sketch, region: Region) -> Proved:
     """Print a region as layers, without the runs that break the rules.
 
     Parameters
     ----------
-    mesh
-        The model as it stands on the bed.
-    plain
-        Its plain wire print.
+    sketch
+        The model and its plain wire print.
     region
         What is marked, in the mesh's coordinates.
-    settings
-        Printer, material, way of wiring and of printing regions.
 
     Notes
     -----
@@ -100,7 +97,8 @@ def proved(mesh: Mesh, plain: Wireframe, region: Region, settings: Settings) -> 
     slab hollow; any other is put down to the run that is nearest to it, which is dropped; after so
     many rounds, all are.
     """
-    plan = Plan.of(mesh, plain, region, settings)
+    mesh, settings = sketch.mesh, sketch.settings
+    plan = Plan.of(sketch, region)
     for rounds in range(1, _ROUNDS + 1):
         layered = plan.layered()
         if layered is None:
@@ -114,7 +112,7 @@ def proved(mesh: Mesh, plain: Wireframe, region: Region, settings: Settings) -> 
         if rounds == _ROUNDS:
             blamed = dict.fromkeys(range(len(plan.sections)), "unproved") | blamed
         plan = plan.without(blamed, hollow)
-    return Proved(plan, plain, toolpath(plain, settings), rounds)
+    return Proved(plan, sketch.plain, toolpath(sketch.plain, settings), rounds)
 
 
 def _blamed(

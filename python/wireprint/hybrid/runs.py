@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from wireprint._core import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -24,8 +26,6 @@ if TYPE_CHECKING:
 _TURN_MM = 10.0
 #: A section is layers where this share of its area is covered.
 _HALF = 0.5
-#: Distances computed at once.
-_CHUNK = 1 << 22
 
 
 @dataclass(frozen=True)
@@ -77,29 +77,83 @@ class Runs:
         )
 
 
-def runs_of(
-    cut: Cut,
-    samples: Samples,
-    covered: Bools,
-    born: AbstractSet[tuple[int, int]],
-    least_mm: float,
-    gap_mm: Floats,
-) -> Runs:
+@dataclass(frozen=True)
+class Strips:
+    """The samples of all layers, by the strip of the slab that they lie on."""
+
+    cut: Cut
+    samples: Samples
+    #: Slab and strip of what begins in the air.
+    born: AbstractSet[tuple[int, int]]
+    #: Runs shorter than this are dropped, mm.
+    least_mm: float
+    #: For each slab, mm: gaps between runs shorter than this have no room for a zigzag and join
+    #: them.
+    gap_mm: Floats
+    #: Slab × count + strip of each sample, −1 for none, and the samples in that order.
+    key: Ints
+    order: Ints
+    count: int
+    #: Whether each sample lies at the top of its slab.
+    is_top: Bools
+    #: Of strips that were asked for: the section of each of their samples; see `nearest`.
+    known: dict[int, Ints] = field(default_factory=dict)
+
+    @classmethod
+    def of(
+        cls,
+        cut: Cut,
+        samples: Samples,
+        born: AbstractSet[tuple[int, int]],
+        least_mm: float,
+        gap_mm: Floats,
+    ) -> Strips:
+        """Sort samples by their strips."""
+        layer = cut.layer[samples.contour]
+        slab, strip = cut.slab[layer], cut.strip[samples.contour]
+        count = int(strip.max(initial=0)) + 1
+        key = np.where(strip < 0, -1, slab * count + strip)
+        order = np.argsort(key, kind="stable")
+        is_top = cut.is_last()[layer]
+        return cls(cut, samples, born, least_mm, gap_mm, key, order, count, is_top)
+
+    def touched(self, covered: Bools) -> Iterator[tuple[int, int, Ints]]:
+        """Give the slab, the strip and the samples of each strip that is covered somewhere."""
+        touched = np.unique(self.key[covered])
+        touched = touched[touched >= 0]
+        keys = self.key[self.order]
+        begins, ends = (np.searchsorted(keys, touched, side) for side in ("left", "right"))
+        for value, begin, end in zip(touched.tolist(), begins, ends, strict=True):
+            yield *divmod(value, self.count), self.order[begin:end]
+
+    def nearest(self, slab: int, strip: int, which: Ints, sections: Ints) -> Ints:
+        """Return, for each sample of a strip, the number of the section that it belongs to."""
+        place = slab * self.count + strip
+        if place not in self.known:
+            self.known[place] = self._nearest(which, sections)
+        return self.known[place]
+
+    def _nearest(self, which: Ints, sections: Ints) -> Ints:
+        middle, normal = self.samples.middle, self.samples.normal
+
+        def features(which: Ints) -> Floats:
+            return np.hstack([middle[which, :2], _TURN_MM / 2 * normal[which, :2]])
+
+        found = nearest(features(which), features(sections)).astype(np.int64)
+        # A section's own sample is its own, whatever else is as near.
+        found[np.searchsorted(which, sections)] = np.arange(len(sections))
+        return found
+
+
+def runs_of(strips: Strips, covered: Bools) -> Runs:
     """Turn what is covered of the surface into runs.
 
     Parameters
     ----------
-    cut, samples
-        The model's layers.
+    strips
+        The model's samples.
     covered
-        Which samples the region covers, shape (S,).
-    born
-        Slab and strip of what begins in the air.
-    least_mm
-        Runs shorter than this are dropped.
-    gap_mm
-        For each slab, mm: gaps between runs shorter than this have no room for a zigzag and join
-        them.
+        Which of them the region covers, shape (S,).
 
     Notes
     -----
@@ -107,9 +161,9 @@ def runs_of(
     of the slab's surface that it is nearest to. It is layers where half of its area, or more, is
     covered.
     """
-    finder = _Finder(cut, samples, covered, least_mm, gap_mm)
-    for slab, strip, which in finder.strips():
-        if (slab, strip) in born:
+    finder = _Finder(strips, covered)
+    for slab, strip, which in strips.touched(covered):
+        if (slab, strip) in strips.born:
             finder.drop_born(slab, strip, which)
         else:
             finder.add(slab, strip, which)
@@ -119,27 +173,13 @@ def runs_of(
 class _Finder:
     """Goes through the strips that a region touches."""
 
-    def __init__(
-        self, cut: Cut, samples: Samples, covered: Bools, least_mm: float, gap_mm: Floats
-    ) -> None:
-        self.cut, self.samples, self.covered = cut, samples, covered
-        self.least_mm, self.gap_mm = least_mm, gap_mm
-        self.layer = cut.layer[samples.contour]
-        self.is_top = cut.is_last()[self.layer]
+    def __init__(self, strips: Strips, covered: Bools) -> None:
+        self.strips, self.covered = strips, covered
+        self.cut, self.samples = strips.cut, strips.samples
+        self.least_mm, self.gap_mm = strips.least_mm, strips.gap_mm
         self.runs: list[Section] = []
         self.dropped: list[tuple[Section, str]] = []
         self.of_sample: Ints = np.full(len(covered), -1)
-
-    def strips(self) -> Iterator[tuple[int, int, Ints]]:
-        """Give the slab, the strip and the samples of each strip that is covered somewhere."""
-        slab, strip = self.cut.slab[self.layer], self.cut.strip[self.samples.contour]
-        count = int(strip.max(initial=0)) + 1
-        key = slab * count + strip
-        order = np.argsort(key, kind="stable")
-        touched = np.unique(key[self.covered & (strip >= 0)])
-        begins, ends = (np.searchsorted(key[order], touched, side) for side in ("left", "right"))
-        for value, begin, end in zip(touched.tolist(), begins, ends, strict=True):
-            yield *divmod(value, count), order[begin:end]
 
     def drop_born(self, slab: int, strip: int, which: Ints) -> None:
         """Note a strip that begins in the air: its layers would."""
@@ -148,12 +188,16 @@ class _Finder:
 
     def add(self, slab: int, strip: int, which: Ints) -> None:
         """Add the runs of a strip."""
-        sections = which[self.is_top[which]]
+        sections = which[self.strips.is_top[which]]
         if not len(sections):
             if self._share(which) >= _HALF:
                 self._add_whole(slab, strip, [], which)
             return
-        nearest = self._nearest(which, sections)
+        if self.covered[which].all():
+            contours = np.unique(self.samples.contour[sections]).tolist()
+            self._add_whole(slab, strip, contours, which)
+            return
+        nearest = self.strips.nearest(slab, strip, which, sections)
         area = np.bincount(nearest, self.samples.area[which], len(sections))
         covered = np.bincount(
             nearest, self.samples.area[which] * self.covered[which], len(sections)
@@ -181,26 +225,6 @@ class _Finder:
     def _share(self, which: Ints) -> float:
         area = self.samples.area[which]
         return float(np.sum(area * self.covered[which]) / max(np.sum(area), 1e-12))
-
-    def _nearest(self, which: Ints, sections: Ints) -> Ints:
-        """Return, for each sample, the number of the section that it belongs to."""
-        if self.covered[which].all() or not self.covered[which].any():
-            return np.zeros(len(which), np.int64)
-        features = np.column_stack(
-            [self.samples.middle[:, :2], _TURN_MM / 2 * self.samples.normal[:, :2]]
-        )
-        own, ends = features[which], features[sections]
-        centre = ends.mean(axis=0)
-        own, ends = own - centre, ends - centre
-        squares = np.sum(ends**2, axis=1)
-        nearest = np.zeros(len(which), np.int64)
-        chunk = max(_CHUNK // len(ends), 1)
-        for begin in range(0, len(own), chunk):
-            part = own[begin : begin + chunk]
-            nearest[begin : begin + chunk] = np.argmin(squares - 2 * part @ ends.T, axis=1)
-        # A section's own sample is its own, whatever else is as near.
-        nearest[np.searchsorted(which, sections)] = np.arange(len(sections))
-        return nearest
 
     def _drop_short(
         self, painted: Bools, slab: int, strip: int, contour: int, own: Ints, sections: Ints

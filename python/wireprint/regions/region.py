@@ -114,11 +114,19 @@ class Region:
         if points.shape != normals.shape:
             msg = f"points has shape {points.shape}, but normals has shape {normals.shape}"
             raise SettingError(msg)
+        return self.covers_known(points, normals)
+
+    def covers_known(
+        self, points: npt.NDArray[np.float64], normals: npt.NDArray[np.float64]
+    ) -> npt.NDArray[np.bool_]:
+        """Tell the same of arrays that were checked, or made here."""
         covered = np.zeros(len(points), np.bool_)
         for mark in self.marks:
             # A mark can only change points that are not as it would leave them.
             open_ = np.flatnonzero(covered == mark.erase)
-            if len(open_):
+            if len(open_) == len(points):
+                covered = mark.covers(points, normals) != mark.erase
+            elif len(open_):
                 covered[open_[mark.covers(points[open_], normals[open_])]] = not mark.erase
         return covered
 

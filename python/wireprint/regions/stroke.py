@@ -44,14 +44,21 @@ class Stroke(Shape):
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
         """Tell which points the stroke covers."""
-        order = np.argsort(points[:, 0], kind="stable")
+        covered = np.zeros(len(points), np.bool_)
+        ends = np.asarray(self.points_mm)
+        low, high = ends.min(axis=0) - self.radius_mm, ends.max(axis=0) + self.radius_mm
+        # Most points are out of reach of all of it, and need not even be sorted.
+        order = np.arange(len(points))
+        for axis in (2, 1, 0):
+            at = points[order, axis]
+            order = order[(at >= low[axis]) & (at <= high[axis])]
+        order = order[np.argsort(points[order, 0], kind="stable")]
         points, normals = points[order], normals[order]
         swept = np.zeros(len(points), np.bool_)
         for ends, facing in self._segments():
             near = self._near(points, ends)
             near = near[~swept[near]]
             swept[near] = self._swept(points[near], normals[near], ends, facing)
-        covered = np.empty_like(swept)
         covered[order] = swept
         return covered
 

@@ -9,6 +9,7 @@ mod facets;
 mod gcode;
 mod layered;
 mod mesh;
+mod nearest;
 mod params;
 mod physics;
 mod render;
@@ -34,6 +35,8 @@ mod _core {
     use super::gcode::{format_moves, insert_progress};
     #[pymodule_export]
     use super::mesh::Mesh;
+    #[pymodule_export]
+    use super::nearest::nearest;
     #[pymodule_export]
     use super::physics::growth;
     #[pymodule_export]

@@ -4,6 +4,7 @@ pub mod curve;
 pub mod disjoint_sets;
 pub mod extents;
 pub mod hatch;
+pub mod nearest;
 pub mod nearest_first;
 pub mod polygon;
 pub mod segments;
