@@ -480,3 +480,11 @@ class TestCommand:
             times = [row["compute_s"] for row in csv.DictReader(file)]
         assert len(times) == 8
         assert {str(row["compute_s"]) for row in kept} <= set(times)
+
+
+@pytest.mark.parametrize("cell", ['"1.5"', "true", "[1]", "{}"])
+def test_a_journal_whose_numbers_are_none_is_refused_by_its_line(cell, tmp_path):
+    row = f'{{"model": "a", "model_sha256": "b", "settings_sha256": "c", "coverage": {cell}}}'
+    (tmp_path / "r.csv.journal").write_text(row + "\n")
+    with pytest.raises(SettingError, match=r"r\.csv\.journal:1: this is no row"):
+        Table(tmp_path / "r.csv")

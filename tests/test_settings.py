@@ -121,3 +121,16 @@ def test_every_knob_has_a_description_or_a_unit_in_its_name():
 
     exempt = {"Bed.shape", "Printer.kinematics", "Gcode.flavor"}
     assert set(walk(Settings)) == exempt
+
+
+@pytest.mark.parametrize(
+    ("printer", "override", "message"),
+    [
+        ("voron-2.4", 'bed.shape="round"', r"^--set bed\.shape=\"round\": bed: a round bed has"),
+        ("prusa-mk4s", "head.carriage_height_mm=3", r"^--set head\.carriage_height_mm=3: head: "),
+        ("voron-2.4", "motion.marlin.steps_per_mm=1", r"^--set motion\.marlin\.steps_per_mm=1: "),
+    ],
+)
+def test_a_table_that_is_wrong_as_a_whole_is_laid_to_what_was_set_last(printer, override, message):
+    with pytest.raises(SettingError, match=message):
+        Settings.load(printer, overrides=[override])

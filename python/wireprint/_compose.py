@@ -86,7 +86,7 @@ def _add_loaded(
         _merge(values, _nest(key, value))
     for key, line in lines.items():
         place = f"{path.name}:{line}: "
-        origins[_anchor(model, key, place)] = place
+        _note(origins, _anchor(model, key, place), place)
 
 
 def _add_override(
@@ -99,6 +99,12 @@ def _add_override(
         raise SettingError(msg)
     key = _anchor(model, tuple(name.strip().split(".")), place)
     _merge(values, _nest(key, _value(text.strip())))
+    _note(origins, key, place)
+
+
+def _note(origins: Origins, key: Key, place: str) -> None:
+    """Keep where a key was given; keys stand in the order in which they were given last."""
+    origins.pop(key, None)
     origins[key] = place
 
 
@@ -174,10 +180,15 @@ def _dotted(model: type[BaseModel], key: Key) -> str:
 
 
 def _place(origins: Origins, key: Key) -> str:
-    """Where the key, or else the innermost table around it, was given."""
+    """Where the key, or else the innermost table around it, was given.
+
+    What is wrong with a table as a whole is laid to what was put into it last.
+    """
     for length in range(len(key), 0, -1):
-        if key[:length] in origins:
-            return origins[key[:length]]
+        within = [place for given, place in origins.items() if given[:length] == key[:length]]
+        if within:
+            whole, last = origins.get(key[:length], ""), within[-1]
+            return whole if whole.partition(":")[0] == last.partition(":")[0] else last
     return ""
 
 

@@ -257,7 +257,7 @@ class Walk:
         self.hanging = 0.0
 
     def closes(self, last: int) -> bool:
-        """Whether the chain ends on itself, close behind: in a loop, or at a corner that is held."""
+        """Whether the chain ends on itself, close behind: in a loop, or at a held corner."""
         strands, diameter = self.judge.strands, self.judge.strand_mm
         end = self.ends[last][1]
         whole = strands.arc[last] + strands.length[last]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from wireprint import Settings
 
 Place = tuple[float, float, float]
-WORD = re.compile(r"([A-Z])\s*(-?\d*\.?\d+)")
+WORD = re.compile(r"\b([A-Z])(-?\d*\.?\d+|\b)")
 
 
 class Move(NamedTuple):
@@ -70,7 +70,7 @@ class Machine:
 
     def command(self, number: int, code: str, text: dict[str, str]) -> None:
         """Carry out one command."""
-        words = {letter: float(value) for letter, value in text.items()}
+        words = {letter: float(value or 0) for letter, value in text.items()}
         if code in ("G0", "G1"):
             self.straight(number, words)
         elif code == "G4":
@@ -136,9 +136,7 @@ class Machine:
 
     def watch(self, number: int, end: list[float], filament: float) -> None:
         """Note cold filament and moves that do not know where they are; a run once."""
-        lost = any(
-            end[axis] != self.at[axis] and axis not in self.home_axes for axis in range(3)
-        )
+        lost = any(end[axis] != self.at[axis] and axis not in self.home_axes for axis in range(3))
         if lost and not self.was_unhomed:
             self.run.unhomed.append(number)
         self.was_unhomed |= lost
@@ -196,7 +194,10 @@ class Machine:
         radius, arm = self.printer.motion.delta_radius, self.printer.motion.arm_length
         highest = 0.0
         for degrees in (210, 330, 90):
-            x, y = radius * math.cos(math.radians(degrees)), radius * math.sin(math.radians(degrees))
+            x, y = (
+                radius * math.cos(math.radians(degrees)),
+                radius * math.sin(math.radians(degrees)),
+            )
             squared = (x - self.at[0]) ** 2 + (y - self.at[1]) ** 2
             highest = max(highest, math.sqrt(max(arm**2 - squared, 0.0)))
         return top + math.sqrt(arm**2 - radius**2) - highest

@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from brute_machine import Move
+    from numpy.typing import NDArray
 
 #: Coordinates are rounded in files: a contact may be missed by so much, mm.
 ROUNDING_MM = 2e-3
@@ -84,7 +83,7 @@ def distances(point: NDArray[Any], segments: NDArray[Any]) -> NDArray[Any]:
 
 
 def holding(strands: Strands, index: int, strand_mm: float) -> NDArray[Any]:
-    """Segments that may hold a strand: what was laid before, of its own chain what lies far back."""
+    """Segments that may hold a strand: those before it, of its own chain those far back."""
     others = strands.ends[:index].copy()
     own = np.array(strands.chain[:index]) == strands.chain[index]
     if index == 0 or not own.any():

@@ -12,9 +12,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-import wireprint
 from brute import Judge, Verdict
 from random_gcode import gcode
+
+import wireprint
 from wireprint import Settings, catalogue, examples
 from wireprint.rules import rules_of
 

@@ -78,7 +78,10 @@ def cage(draw: random.Random, settings: Settings) -> list[str]:
     rise, first = draw.uniform(0.8, 8), settings.printer.head.nozzle_mm / 2
     turn = draw.uniform(0, math.tau)
     corners = [
-        (x0 + radius * math.cos(turn + math.tau * i / sides), y0 + radius * math.sin(turn + math.tau * i / sides))
+        (
+            x0 + radius * math.cos(turn + math.tau * i / sides),
+            y0 + radius * math.sin(turn + math.tau * i / sides),
+        )
         for i in range(sides)
     ]
     for slab in range(draw.randint(1, 4)):
@@ -126,12 +129,39 @@ def damage(draw: random.Random, lines: list[str], settings: Settings) -> None:
     index = draw.choice(moves)
     line = lines[index]
     x0, y0 = settings.printer.bed.centre_mm
-    place = f"X{x0 + draw.gauss(0, 25):.3f} Y{y0 + draw.gauss(0, 25):.3f} Z{abs(draw.gauss(0, 12)):.3f}"
+    place = (
+        f"X{x0 + draw.gauss(0, 25):.3f} Y{y0 + draw.gauss(0, 25):.3f} Z{abs(draw.gauss(0, 12)):.3f}"
+    )
     added = [
-        "G28", "G28 X", "G28 Y0", "G28 Z", "G92 Z0", f"G92 Z{draw.uniform(0, 30):.2f}", "G92 X3 Y-2",
-        "M104 S0", "M109 S200", "M84", "M220 S40", "M220 S900", "M221 S10", "M221 S300", "G4 P2000",
-        "G1 E-3", "G1 E3", "G1 E300", "G1 F200", "G1 F90000", f"G0 {place}", f"G1 {place} E2",
-        "G91", "G90", "M82", "M83", "G92 E0", "G1 Z-0.5", f"G0 Z{draw.uniform(0, 40):.3f}",
+        "G28",
+        "G28 X",
+        "G28 Y0",
+        "G28 Z",
+        "G92 Z0",
+        f"G92 Z{draw.uniform(0, 30):.2f}",
+        "G92 X3 Y-2",
+        "M104 S0",
+        "M109 S200",
+        "M84",
+        "M220 S40",
+        "M220 S900",
+        "M221 S10",
+        "M221 S300",
+        "G4 P2000",
+        "G1 E-3",
+        "G1 E3",
+        "G1 E300",
+        "G1 F200",
+        "G1 F90000",
+        f"G0 {place}",
+        f"G1 {place} E2",
+        "G91",
+        "G90",
+        "M82",
+        "M83",
+        "G92 E0",
+        "G1 Z-0.5",
+        f"G0 Z{draw.uniform(0, 40):.3f}",
     ]
     kind = draw.randrange(7)
     if kind == 0:
@@ -149,9 +179,12 @@ def damage(draw: random.Random, lines: list[str], settings: Settings) -> None:
     elif kind == 5:
         shift = draw.choice([0.1, 1, 5]) * draw.gauss(0, 1)
         letter = draw.choice("XYZ")
-        lines[index] = re.sub(
-            rf"{letter}(-?[\d.]+)", lambda m: f"{letter}{max(float(m[1]) + shift, 0) if letter == 'Z' else float(m[1]) + shift:.3f}", line
-        )
+        least = 0.0 if letter == "Z" else -math.inf
+
+        def shifted(word: re.Match[str]) -> str:
+            return f"{letter}{max(float(word[1]) + shift, least):.3f}"
+
+        lines[index] = re.sub(rf"{letter}(-?[\d.]+)", shifted, line)
     else:
         dwells = [i for i, text in enumerate(lines) if text.startswith("G4")]
         if dwells:

@@ -10,6 +10,7 @@ from wireprint._core import SettingError
 from wireprint.files import OutputError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
     from typing import IO
 
@@ -26,10 +27,13 @@ class Journal:
     ----------
     path
         The file. It is made with the first row, so that a run without one leaves nothing.
+    is_row
+        Whether what a line says is a row.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, is_row: Callable[[Any], bool]) -> None:
         self._path = path
+        self._is_row = is_row
         self._file: IO[str] | None = None
 
     def rows(self) -> list[Row]:
@@ -54,10 +58,9 @@ class Journal:
         except (ValueError, RecursionError):
             if line.startswith(_BEGIN) or _BEGIN.startswith(line):
                 return None
-        if isinstance(row, dict) and all(
-            isinstance(row.get(name), str) for name in ("model", "model_sha256", "settings_sha256")
-        ):
-            return row
+        if self._is_row(row):
+            found: Row = row
+            return found
         msg = f"{self._path}:{number}: this is no row of a run that was stopped; move the file away"
         raise SettingError(msg)
 

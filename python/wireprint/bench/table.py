@@ -65,6 +65,8 @@ MARKED_COLUMNS: Final[dict[str, type]] = {column(HYBRID, figure): float for figu
 SUFFIXES: Final = (".csv", ".parquet")
 #: Without these a table is none of ours.
 _KEY_COLUMNS: Final = ("model", "model_sha256", "settings_sha256")
+#: No row is without these; a file that could not be read has no hash.
+_NEEDED: Final = ("model", "settings_sha256")
 #: Spreadsheets compute a cell that begins so, unless it is quoted (OWASP, "CSV injection"); what
 #: begins with the quote itself needs one more, lest it lose its own.
 _QUOTE: Final = "'"
@@ -97,7 +99,7 @@ class Table:
             if path.suffix.lower() not in SUFFIXES:
                 msg = f"{path}: results are written as {' or '.join(SUFFIXES)}"
                 raise SettingError(msg)
-            self._journal = journal.Journal(path.with_name(f"{path.name}.journal"))
+            self._journal = journal.Journal(path.with_name(f"{path.name}.journal"), _is_row)
             rows = [*_read(path), *self._journal.rows()]
         self._rows = {_key(row): row for row in rows}
         self._by_content = {key[:2]: row for key, row in self._rows.items() if key[0]}
@@ -163,6 +165,20 @@ def _no_table(path: Path) -> SettingError:
     return SettingError(f"{path}: it holds something else than results; name another file")
 
 
+def _is_row(row: Any) -> bool:
+    """Whether something is a row of results, each column of its type."""
+    if not isinstance(row, dict) or any(row.get(name) is None for name in _NEEDED):
+        return False
+    kinds = COLUMNS | MARKED_COLUMNS
+    return all(value is None or _is_of(kinds.get(name, str), value) for name, value in row.items())
+
+
+def _is_of(kind: type, value: object) -> bool:
+    """Whether a value is of a column's type; a whole number may stand for any."""
+    is_whole = isinstance(value, int) and not isinstance(value, bool)
+    return is_whole if kind is int else isinstance(value, kind) or (kind is float and is_whole)
+
+
 def _typed(place: str, cells: Mapping[str | None, Any]) -> Row:
     """Return a row of a CSV file with its values."""
     kinds = COLUMNS | MARKED_COLUMNS
@@ -170,7 +186,7 @@ def _typed(place: str, cells: Mapping[str | None, Any]) -> Row:
         row = {name: _value(kinds.get(name or "", str), text) for name, text in cells.items()}
     except (ValueError, TypeError, AttributeError):
         row = {}
-    if None in row or any(row.get(name) is None for name in ("model", "settings_sha256")):
+    if None in row or any(row.get(name) is None for name in _NEEDED):
         msg = f"{place}: this row is damaged; mend it, or name another file"
         raise SettingError(msg)
     return {name: value for name, value in row.items() if name is not None}
@@ -218,6 +234,8 @@ def _read_parquet(path: Path) -> list[Row]:
         raise _no_table(path) from None
     _check_columns(path, table.column_names)
     rows: list[Row] = table.to_pylist()
+    if not all(map(_is_row, rows)):
+        raise _no_table(path)
     return rows
 
 
