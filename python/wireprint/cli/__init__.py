@@ -38,6 +38,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "compare",
         "Tell how long a model takes as a wire print, and how long in layers.",
     ),
+    "studio": (
+        "wireprint.cli.studio",
+        "studio",
+        "Open a window that paints, shows and prints a model.",
+    ),
     "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
     "bench": ("wireprint.cli.bench", "bench", "Compare and judge many models at once."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),

@@ -1,0 +1,384 @@
+"""One model that is worked on: messages go in, answers and events come out."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import traceback
+from collections import OrderedDict
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from wireprint import catalogue
+from wireprint._core import SettingError, UnprintableError, WireprintError, __version__
+from wireprint.regions import Region, document
+from wireprint.regions.document import MarkEntry
+from wireprint.studio import messages
+from wireprint.studio.answer import encoded
+from wireprint.studio.sketch import Sketch
+from wireprint.studio.watch import Watch
+from wireprint.text import one_line
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from wireprint._core import Mesh
+    from wireprint.regions import Mark
+    from wireprint.settings import Settings
+    from wireprint.studio.sketch import Item, State
+    from wireprint.studio.source import Source
+
+#: Prints that are kept for undo and redo, bytes in all.
+_KEPT_BYTES: Final = 1 << 24
+#: Longest that an export waits for its print, s.
+_PATIENCE_S: Final = 600.0
+#: Events that a page that comes later is told, too, in this order.
+_LASTING: Final = ("model", "state", "print", "current", "paint", "rest", "failed", "notice")
+
+
+class _Superseded(Exception):  # noqa: N818 - nothing is wrong
+    """What is computed is no longer wanted."""
+
+
+@dataclass(frozen=True)
+class _Printed:
+    """A print, as it is told and exported."""
+
+    state: State
+    gcode: bytes
+    #: Why it should not be printed as it is; empty: it may.
+    refused: str
+    told: dict[str, bytes]
+
+    @property
+    def size(self) -> int:
+        return len(self.gcode) + sum(map(len, self.told.values()))
+
+
+class Session:
+    """A model with its sketch, and the thread that prints it.
+
+    Parameters
+    ----------
+    source
+        The model and its settings.
+    tell
+        Takes events, from any thread: name and bytes.
+    """
+
+    def __init__(self, source: Source, tell: Callable[[str, bytes], None]) -> None:
+        self._source, self._tell_all = source, tell
+        self._sketch: Sketch | None = None
+        self._mesh: Mesh | None = None
+        self._revision = 0
+        self._done = -1
+        self._stale = True
+        self._stopped = False
+        self._lasting: dict[str, bytes] = {}
+        self._kept: OrderedDict[int, _Printed] = OrderedDict()
+        #: Guards all of the above; told whenever one of them changes.
+        self._changed = threading.Condition(threading.RLock())
+        self._thread = threading.Thread(target=self._work, name="print", daemon=True)
+        self._watch = Watch(source.path, self._saved)
+
+    def start(self) -> None:
+        """Begin to read, print and watch the model."""
+        self._thread.start()
+        self._watch.start()
+
+    def stop(self) -> None:
+        """End the threads; a print that is under way is given up at its next stage."""
+        self._watch.stop()
+        with self._changed:
+            self._stopped = True
+            self._revision += 1
+            self._changed.notify_all()
+        if self._thread.is_alive():
+            self._thread.join(timeout=2.0)
+
+    def welcome(self) -> list[bytes]:
+        """Return what a page is told first: what it may ask for, and all that is known."""
+        head = {
+            "event": "welcome",
+            "name": one_line(self._source.path.name),
+            "version": __version__,
+            "printers": catalogue.names("printers"),
+            "materials": catalogue.names("materials"),
+        }
+        with self._changed:
+            known = [self._lasting[name] for name in _LASTING if name in self._lasting]
+        return [encoded(head), *known]
+
+    def handle(self, content: bytes) -> bytes:
+        """Do what a message asks, and return its answer; a fault is an answer, too."""
+        number = 0
+        try:
+            message = messages.read(content)
+            number = message.id
+            return self._answer(message)
+        except (WireprintError, OSError) as error:
+            return encoded({"re": number, "error": str(error)})
+        except Exception as error:
+            traceback.print_exc(file=sys.stderr)
+            kind = type(error).__name__
+            return encoded({"re": number, "error": f"unexpected {kind}: a fault of wireprint"})
+
+    def _answer(self, message: messages.Message) -> bytes:
+        head: dict[str, Any] = {"re": message.id}
+        match message:
+            case messages.Open():
+                return self.welcome()[0]
+            case messages.Schema():
+                from wireprint.studio import panel
+
+                return encoded({**head, "fields": panel.fields(), "sections": panel.SECTIONS})
+            case messages.Export():
+                name, content = self._exported(message)
+                file = np.frombuffer(content, np.uint8)
+                return encoded({**head, "name": name}, {"file": file})
+            case _:
+                return encoded({**head, **self._edited(message)})
+
+    def _edited(self, message: messages.Message) -> dict[str, Any]:
+        """Change the sketch, and ask for a new print."""
+        found: dict[str, Any] = {}
+        with self._changed:
+            sketch = self._ready()
+            before = sketch.state
+            match message:
+                case messages.AddMark():
+                    found["number"] = sketch.add(_mark(message.mark), message.name)
+                case messages.ChangeMark(number=number, mark=entry, name=name, on=on):
+                    sketch.change(number, None if entry is None else _mark(entry), name, on)
+                case messages.MoveMark():
+                    sketch.move(message.number, message.to)
+                case messages.DeleteMark():
+                    sketch.delete(message.number)
+                case messages.Undo():
+                    sketch.undo()
+                case messages.Redo():
+                    sketch.redo()
+                case messages.Set():
+                    sketch.set(message.key, message.value)
+                case messages.Profile():
+                    _known("printers", message.printer)
+                    _known("materials", message.material)
+                    sketch.profile(message.printer, message.material)
+            if sketch.state is not before:
+                self._revision += 1
+                self._tell_state(sketch)
+                self._show_kept(sketch.state)
+                self._changed.notify_all()
+            return found | {"revision": self._revision}
+
+    def _show_kept(self, state: State) -> None:
+        """Show a print that is kept, whatever the thread is at: undo need not wait for it."""
+        printed = self._kept.get(id(state))
+        if printed is not None:
+            for event, content in printed.told.items():
+                self._tell_print(self._revision, event, content)
+            self._done = self._revision
+
+    def _ready(self) -> Sketch:
+        if self._sketch is None:
+            raise SettingError("the model is not read yet")
+        return self._sketch
+
+    def _exported(self, message: messages.Export) -> tuple[str, bytes]:
+        """Return a file's name and content.
+
+        Raises
+        ------
+        UnprintableError
+            G-code that breaks the rules or leaves much bare is only given by force.
+        """
+        stem = one_line(self._source.path.stem)
+        with self._changed:
+            sketch, mesh = self._ready(), self._mesh
+            state, settings = sketch.state, sketch.settings
+            if message.kind == "strokes":
+                return f"{stem}.strokes.json", document.to_json(state.region)
+            if message.kind == "project":
+                from wireprint.project import project_bytes
+
+                assert mesh is not None, "a sketch has a mesh"  # noqa: S101
+                return f"{stem}.3mf", project_bytes(mesh, settings, state.region)
+            wanted = self._revision
+            self._changed.wait_for(lambda: self._done >= wanted or self._stopped, _PATIENCE_S)
+            printed = self._kept.get(id(state))
+        if printed is None:
+            raise UnprintableError("there is no print to export")
+        if printed.refused and not message.force:
+            raise UnprintableError(printed.refused)
+        return f"{stem}.gcode", printed.gcode
+
+    def _tell(self, event: str, content: bytes) -> None:
+        with self._changed:
+            if event in _LASTING:
+                self._lasting[event] = content
+        self._tell_all(event, content)
+
+    def _notice(self, words: str) -> None:
+        """Say something about the model's file; nothing takes back what was said before."""
+        self._tell("notice", encoded({"event": "notice", "words": words}))
+
+    def _tell_state(self, sketch: Sketch) -> None:
+        from wireprint.studio import panel
+
+        state, settings = sketch.state, sketch.settings
+        bed, head = settings.printer.bed, settings.printer.head
+        told = {
+            "event": "state",
+            "revision": self._revision,
+            "items": [_told(item) for item in state.items],
+            "can_undo": sketch.can_undo,
+            "can_redo": sketch.can_redo,
+            "printer": settings.printer.name,
+            "material": settings.material.name,
+            "settings": panel.values(settings),
+            "automatic": panel.automatic(settings),
+            "differs": panel.differing(settings, sketch.profiles_settings()),
+            "bed": {"round": bed.shape == "round", "size_mm": bed.size_mm, "high": bed.height_mm},
+            "head": head.model_dump(mode="json"),
+        }
+        self._tell("state", encoded(told))
+
+    def _saved(self, there: bool) -> None:
+        """Read the model again, or say that it went."""
+        if not there:
+            name = one_line(self._source.path.name)
+            self._notice(f"{name} is gone; what is shown is what it was")
+            return
+        with self._changed:
+            self._stale = True
+            self._revision += 1
+            self._changed.notify_all()
+
+    def _work(self) -> None:
+        """Read and print whatever is the newest, until the session ends."""
+        while True:
+            with self._changed:
+                self._changed.wait_for(
+                    lambda: self._stale or self._done < self._revision or self._stopped
+                )
+                if self._stopped:
+                    return
+                stale, revision = self._stale, self._revision
+                self._stale = False
+            try:
+                if stale:
+                    self._read()
+                self._print(revision)
+            except _Superseded:
+                continue
+            except Exception as error:
+                # The window outlives a fault, and says so.
+                traceback.print_exc(file=sys.stderr)
+                self._failed(revision, f"unexpected {type(error).__name__}: a fault of wireprint")
+            with self._changed:
+                self._done = max(self._done, revision)
+                self._changed.notify_all()
+
+    def _read(self) -> None:
+        from wireprint import report
+
+        try:
+            model = self._source.load()
+        except (WireprintError, OSError) as error:
+            self._notice(f"{error}" if self._mesh is None else f"{error}; the old one is shown")
+            return
+        mesh = model.mesh
+        head = {
+            "event": "model",
+            "name": one_line(self._source.path.name),
+            "size_mm": mesh.size_mm,
+            "repaired": report.repairs(mesh),
+            "warnings": report.warnings(mesh),
+        }
+        arrays = {"vertices": mesh.vertices.astype("<f4"), "faces": mesh.faces.astype("<u4")}
+        with self._changed:
+            self._mesh = mesh
+            self._kept.clear()
+            if self._sketch is None:
+                self._sketch = Sketch(partial(self._source.compose, model.settings), model.region)
+            self._notice("")
+            self._tell("model", encoded(head, arrays))
+            self._tell_state(self._sketch)
+
+    def _print(self, revision: int) -> None:
+        with self._changed:
+            if self._sketch is None or self._mesh is None:
+                return
+            mesh, state, settings = self._mesh, self._sketch.state, self._sketch.settings
+        try:
+            self._make(revision, mesh, state, settings)
+        except WireprintError as error:
+            self._failed(revision, str(error))
+
+    def _make(self, revision: int, mesh: Mesh, state: State, settings: Settings) -> None:
+        """Print a state, tell each part as soon as it is there, and keep all of it."""
+        from wireprint.studio.printing import Printing
+
+        printing = Printing(
+            mesh, settings, state.region, self._source.dated(), lambda _: self._current(revision)
+        )
+        printed = _Printed(state, printing.gcode, printing.refused, {})
+        for event, content in printing.events():
+            printed.told[event] = content
+            self._tell_print(revision, event, content)
+        self._keep(printed)
+
+    def _tell_print(self, revision: int, event: str, content: bytes) -> None:
+        with self._changed:
+            self._current(revision)
+            self._lasting.pop("failed", None)
+            self._tell(event, content)
+            if event == "print":
+                self._tell("current", encoded({"event": "current", "revision": revision}))
+
+    def _current(self, revision: int) -> None:
+        """Give up what nobody waits for any more."""
+        if self._revision != revision:
+            raise _Superseded
+
+    def _keep(self, printed: _Printed) -> None:
+        """Keep a print for undo and redo; the oldest ones make room."""
+        with self._changed:
+            # States live as long as they can be undone to, and so do their addresses.
+            self._kept[id(printed.state)] = printed
+            while len(self._kept) > 1 and sum(p.size for p in self._kept.values()) > _KEPT_BYTES:
+                self._kept.popitem(last=False)
+
+    def _failed(self, revision: int, words: str) -> None:
+        self._tell("failed", encoded({"event": "failed", "revision": revision, "words": words}))
+
+
+def _known(kind: catalogue.Kind, name: str | None) -> None:
+    """Refuse what is no profile of the package: files are not named by a page."""
+    if name is not None and name not in catalogue.names(kind):
+        raise SettingError(f"{name!r} is none of the {kind}")
+
+
+def _mark(entry: MarkEntry) -> Mark:
+    return document.Document(marks=(entry,)).region().marks[0]
+
+
+def _told(item: Item) -> dict[str, Any]:
+    """Return a line of the list of marks; paint goes without its points."""
+    entry = document.Document.of(Region((item.mark,))).marks[0].model_dump(mode="json")
+    shape = entry["shape"]
+    if shape["kind"] == "stroke":
+        shape = {"kind": "stroke", "radius_mm": shape["radius_mm"]}
+    elif shape["kind"] == "mask":
+        shape = {"kind": "mask"}
+    return {
+        "number": item.number,
+        "name": item.name,
+        "on": item.on,
+        "erase": item.mark.erase,
+        "shape": shape,
+        "frame": entry["frame"],
+    }

@@ -1,0 +1,74 @@
+"""A window without a browser."""
+
+import json
+import time
+from pathlib import Path
+
+from wireprint.cli.marks import Marks
+from wireprint.cli.options import Chosen
+from wireprint.cli.studio import _source
+from wireprint.studio.answer import decoded
+from wireprint.studio.session import Session
+
+#: How the command places a model unless it is told otherwise.
+AS_IT_IS = {
+    "file_format": None,
+    "scale": 1.0,
+    "units": "mm",
+    "up": "z",
+    "rotate": (0.0, 0.0, 0.0),
+    "height_mm": None,
+}
+#: Longest that anything is waited for, s; nothing takes as long unless it is broken.
+PATIENCE_S = 120.0
+
+
+def source_of(path, overrides=(), fill=(), **placement):
+    chosen = Chosen(None, None, (), tuple(overrides))
+    marks = Marks(tuple(fill), (), (), ())
+    return _source(Path(path), chosen, marks, AS_IT_IS | placement)
+
+
+class Talk:
+    """A session, and all that it told."""
+
+    def __init__(self, source):
+        self.told = []
+        self.session = Session(source, lambda name, content: self.told.append((name, content)))
+
+    def __enter__(self):
+        self.session.start()
+        self.wait("print")
+        return self
+
+    def __exit__(self, *_):
+        self.session.stop()
+
+    def ask(self, do, **values):
+        content = json.dumps({"do": do, "id": 7, **values}).encode()
+        head, arrays = decoded(self.session.handle(content))
+        assert head.get("re", 7) in (7, 0)
+        return head, arrays
+
+    def edit(self, do, **values):
+        """Change something, and wait for the print of it."""
+        head, _ = self.ask(do, **values)
+        assert "error" not in head, head["error"]
+        self.wait("current", lambda one: one["revision"] == head["revision"])
+        return head
+
+    def wait(self, event, fits=lambda _: True):
+        """Return the newest event of a name whose head and arrays fit."""
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            for name, content in reversed(self.told):
+                head, arrays = decoded(content)
+                if name == event and fits(head | arrays):
+                    return head, arrays
+            time.sleep(0.01)
+        raise AssertionError(f"no {event}; told {[name for name, _ in self.told]}")
+
+    def gcode(self, **values):
+        head, arrays = self.ask("export", kind="gcode", **values)
+        assert "error" not in head, head["error"]
+        return arrays["file"].tobytes()

@@ -1,0 +1,135 @@
+// The bed with its lines, the build volume, and the head.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  CircleGeometry,
+  DoubleSide,
+  Group,
+  LatheGeometry,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  PlaneGeometry,
+  Vector2,
+} from "three";
+import type { State } from "./protocol";
+import type { Palette } from "./theme";
+
+const LINE_MM = 10;
+const AROUND = 96;
+
+function lines(points: number[]): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+  return geometry;
+}
+
+/** The bed about its centre, the build volume above it. */
+export class Bed extends Group {
+  private readonly plate = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ side: DoubleSide }));
+  private readonly grid = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+  private readonly volume = new LineSegments(
+    new BufferGeometry(),
+    new LineBasicMaterial({ transparent: true, opacity: 0.55 }),
+  );
+  private known = "";
+
+  constructor() {
+    super();
+    Object.assign(this.plate.material, { polygonOffset: true, polygonOffsetFactor: 6, polygonOffsetUnits: 24 });
+    this.plate.renderOrder = -2;
+    this.grid.renderOrder = -1;
+    this.add(this.plate, this.grid, this.volume);
+  }
+
+  /** Returns whether it is another bed. */
+  take({ round, size_mm: [width, depth], high }: State["bed"]): boolean {
+    const about = JSON.stringify([round, width, depth, high]);
+    if (about === this.known) return false;
+    this.known = about;
+    for (const part of this.children) (part as Mesh).geometry.dispose();
+    const edge = round ? around(width / 2) : corners(width, depth);
+    this.plate.geometry = round ? new CircleGeometry(width / 2, AROUND) : new PlaneGeometry(width, depth);
+    this.grid.geometry = lines([...grid(round, width, depth), ...ring(edge, 0)]);
+    const posts = round ? [] : edge.flatMap(([x, y]) => [x, y, 0, x, y, high]);
+    this.volume.geometry = lines([...posts, ...ring(edge, high)]);
+    return true;
+  }
+
+  paint(colours: Palette): void {
+    this.plate.material.color.copy(colours.bed);
+    this.grid.material.color.copy(colours.grid);
+    this.volume.material.color.copy(colours.grid);
+  }
+}
+
+type Flat = [number, number];
+
+function around(radius: number): Flat[] {
+  return Array.from({ length: AROUND }, (_, i) => {
+    const turn = (2 * Math.PI * i) / AROUND;
+    return [radius * Math.cos(turn), radius * Math.sin(turn)];
+  });
+}
+
+function corners(width: number, depth: number): Flat[] {
+  const [x, y] = [width / 2, depth / 2];
+  return [
+    [-x, -y],
+    [x, -y],
+    [x, y],
+    [-x, y],
+  ];
+}
+
+function ring(edge: Flat[], z: number): number[] {
+  return edge.flatMap(([x, y], i) => {
+    const [u, v] = edge[(i + 1) % edge.length]!;
+    return [x, y, z, u, v, z];
+  });
+}
+
+function grid(round: boolean, width: number, depth: number): number[] {
+  const found: number[] = [];
+  const along = (half: number, other: number, put: (at: number, reach: number) => void) => {
+    for (let at = -Math.floor(half / LINE_MM) * LINE_MM; at <= half; at += LINE_MM)
+      put(at, round ? Math.sqrt(Math.max(half * half - at * at, 0)) : other);
+  };
+  along(width / 2, depth / 2, (x, reach) => found.push(x, -reach, 0, x, reach, 0));
+  along(depth / 2, width / 2, (y, reach) => found.push(-reach, y, 0, reach, y, 0));
+  return found;
+}
+
+/** The nozzle's cone and the block above it, as the certificate knows them. */
+export class Head extends Mesh<BufferGeometry, MeshBasicMaterial> {
+  constructor() {
+    super(
+      new BufferGeometry(),
+      new MeshBasicMaterial({ transparent: true, opacity: 0.26, side: DoubleSide, depthWrite: false }),
+    );
+    this.visible = false;
+    this.renderOrder = 5;
+  }
+
+  take(head: State["head"]): void {
+    const { tip_radius_mm: tip, slant_deg: slant, cone_height_mm: high, block_radius_mm: block } = head;
+    const wide = Math.min(tip + high / Math.tan((slant * Math.PI) / 180), block);
+    const outline = [
+      [0, 0],
+      [tip, 0],
+      [wide, high],
+      [block, high],
+      [block, high + 0.5 * block],
+    ] as Flat[];
+    this.geometry.dispose();
+    this.geometry = new LatheGeometry(
+      outline.map(([r, z]) => new Vector2(r, z)),
+      48,
+    ).rotateX(Math.PI / 2);
+  }
+
+  paint(colours: Palette): void {
+    this.material.color.copy(colours.head);
+  }
+}

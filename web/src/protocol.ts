@@ -1,0 +1,140 @@
+// What the session says and takes: see python/wireprint/studio/messages.py and session.py.
+export type Point = [number, number, number];
+export type Rows = [number[], number[], number[]];
+
+export type Shape =
+  | { kind: "stroke"; points_mm: Point[]; normals: Point[]; radius_mm: number; spread_deg: number }
+  | { kind: "box"; low_mm: Point; high_mm: Point }
+  | { kind: "sphere"; centre_mm: Point; radius_mm: number }
+  | { kind: "half"; normal: Point; offset_mm: number }
+  | { kind: "z"; low_mm: number | null; high_mm: number | null };
+
+/** A line in the list of marks; paint comes without its points. */
+export interface Item {
+  number: number;
+  name: string;
+  on: boolean;
+  erase: boolean;
+  shape: Shape | { kind: "stroke"; radius_mm: number } | { kind: "mask" };
+  frame: Rows | null;
+}
+
+export type Value = string | number | boolean | null;
+
+export interface State {
+  revision: number;
+  items: Item[];
+  can_undo: boolean;
+  can_redo: boolean;
+  printer: string;
+  material: string;
+  settings: Record<string, Value>;
+  automatic: Record<string, number>;
+  differs: Record<string, Value>;
+  bed: { round: boolean; size_mm: [number, number]; high: number };
+  head: { tip_radius_mm: number; slant_deg: number; cone_height_mm: number; block_radius_mm: number };
+}
+
+export interface Label {
+  label: string;
+  name: string;
+  colour: [number, number, number];
+  length_mm: number;
+}
+
+export interface Unprinted {
+  reason: string;
+  area_mm2: number;
+  place_mm: Point;
+  help: string;
+}
+
+export interface Print {
+  figures: {
+    print_time_s: number;
+    filament_g: number;
+    filament_mm: number;
+    filament_cost: number;
+    coverage: number;
+    certified: boolean;
+    whole: boolean;
+    turn_to_fit_deg: number;
+    unprinted: Unprinted[];
+    warnings: string[];
+  };
+  regions: null | {
+    area_mm2: number;
+    filled_mm3: number;
+    dropped: { reason: string; help: string; area_mm2: number; place_mm: Point }[];
+    hollow: { reason: string; help: string; volume_mm3: number; low_mm: number; high_mm: number }[];
+  };
+  refused: string;
+  made_s: number;
+  labels: Label[];
+  low: Point;
+  span: Point;
+  diameter_step_mm: number;
+  slabs_mm: number[];
+  motion: number[][];
+  breaches: { rule: string; words: string; at_mm: Point | null }[];
+  total_s: number;
+}
+
+export interface Welcome {
+  name: string;
+  version: string;
+  printers: string[];
+  materials: string[];
+}
+
+export interface Model {
+  name: string;
+  size_mm: Point;
+  repaired: string[];
+  warnings: string[];
+}
+
+export interface Field {
+  key: string;
+  section: string;
+  name: string;
+  unit: string;
+  kind: "number" | "integer" | "choice" | "switch" | "text";
+  low: number | null;
+  high: number | null;
+  choices: string[];
+  automatic: boolean;
+  help: string;
+}
+
+export type Arrays = Record<string, Float32Array | Uint32Array | Uint8Array>;
+
+/** One answer or event, taken apart; arrays are views of the bytes that came. */
+export interface Answer {
+  head: Record<string, unknown> & { event?: string; re?: number; error?: string };
+  arrays: Arrays;
+}
+
+interface Place {
+  type: string;
+  shape: number[];
+  offset: number;
+}
+
+export function decoded(bytes: ArrayBuffer): Answer {
+  const length = new DataView(bytes).getUint32(0, true);
+  const { arrays: places, ...head } = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as Record<
+    string,
+    unknown
+  > & { arrays: Record<string, Place> };
+  const arrays: Arrays = {};
+  for (const [name, { type, shape, offset: fromHead }] of Object.entries(places)) {
+    const offset = 4 + length + fromHead;
+    const count = shape.reduce((product, size) => product * size, 1);
+    if (type === "f4") arrays[name] = new Float32Array(bytes, offset, count);
+    else if (type === "u4") arrays[name] = new Uint32Array(bytes, offset, count);
+    else if (type === "u1") arrays[name] = new Uint8Array(bytes, offset, count);
+    else throw new Error(`array ${name} has the unknown type ${type}`);
+  }
+  return { head, arrays };
+}

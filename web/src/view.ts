@@ -1,0 +1,248 @@
+// The scene and the camera; draws only when something changed, and coarser while a slow machine moves.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  PerspectiveCamera,
+  Points,
+  PointsMaterial,
+  Scene,
+  Sphere,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Bed, Head } from "./bed";
+import { Strands } from "./strands";
+import { Surface } from "./surface";
+import { darkQuery, palette } from "./theme";
+
+export const VIEWS = {
+  front: [0, -1, 0],
+  side: [1, 0, 0],
+  top: [0, 0, 1],
+  "3D": [0.52, -0.74, 0.42],
+} as const;
+export type ViewName = keyof typeof VIEWS;
+
+const FIELD_DEG = 28;
+/** A frame that takes longer while the view moves makes the next ones coarser, ms. */
+const SLOW_MS = 30;
+const COARSEST = 0.25;
+/** So long after the last motion the picture is drawn as fine as it can be, ms. */
+const REST_MS = 160;
+const FLIGHT_MS = 420;
+/** Samples along a pixel's edge in a picture that rests: strands have no other smoothing. */
+const FINE = 2;
+
+export class View {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(FIELD_DEG, 1, 1, 1000);
+  readonly controls: OrbitControls;
+  readonly bed = new Bed();
+  readonly head = new Head();
+  readonly strands = new Strands();
+  readonly surface = new Surface();
+  onFrame: (timeMs: number) => boolean = () => false;
+  /** Frames drawn so far, and how long the last ones took in motion. */
+  readonly drawn = { frames: 0, motionMs: 0 };
+  private readonly renderer: WebGLRenderer;
+  private readonly breaches: Points<BufferGeometry, PointsMaterial>;
+  private readonly sphere = new Sphere(new Vector3(0, 0, 40), 80);
+  private flight: { from: [Vector3, Vector3]; to: [Vector3, Vector3]; begin: number } | null = null;
+  private coarse = 1;
+  private fine = false;
+  private asked = 0;
+  private lastMs = 0;
+  private movedMs = 0;
+  private resting = 0;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.screenSpacePanning = true;
+    this.controls.zoomToCursor = true;
+    this.controls.minDistance = 2;
+    this.controls.addEventListener("change", () => this.moved());
+    this.breaches = new Points(
+      new BufferGeometry(),
+      new PointsMaterial({ size: 13, sizeAttenuation: false, depthTest: false, transparent: true, map: disc() }),
+    );
+    this.breaches.renderOrder = 10;
+    this.scene.add(this.bed, this.surface, this.strands, this.head, this.breaches);
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    darkQuery.addEventListener("change", () => this.paint());
+    this.paint();
+    this.look("3D", false);
+  }
+
+  /** Colours everything for light or dark; strands are coloured by those who know their labels. */
+  paint(): void {
+    const colours = palette();
+    this.renderer.setClearColor(colours.ground);
+    this.bed.paint(colours);
+    this.head.paint(colours);
+    this.surface.paint(colours);
+    this.breaches.material.color.copy(colours.breach);
+    this.redraw();
+  }
+
+  /** Marks places in red, over everything. */
+  mark(places: [number, number, number][]): void {
+    this.breaches.geometry.dispose();
+    this.breaches.geometry = new BufferGeometry();
+    this.breaches.geometry.setAttribute("position", new BufferAttribute(new Float32Array(places.flat()), 3));
+    this.breaches.visible = places.length > 0;
+  }
+
+  /** Takes in what shall fill the picture. */
+  frame(centre: Vector3, radius: number): void {
+    this.sphere.set(centre, Math.max(radius, 1));
+  }
+
+  look(name: ViewName, flies = true): void {
+    const [x, y, z] = VIEWS[name];
+    const away = new Vector3(x, y, z).normalize();
+    // Straight from above, "up" has no direction: a hair to the front gives it one.
+    if (name === "top") away.set(0, -1e-4, 1).normalize();
+    this.fly(this.sphere.center.clone(), away, this.distance(), flies);
+  }
+
+  /** Turns the view to a place on the print, from the side that it is seen from already. */
+  flyTo(place: Vector3): void {
+    const away = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.fly(place, away, Math.max(this.distance() * 0.32, 20));
+  }
+
+  /** Where a place of the window is in the scene's terms, −1 to 1. */
+  place(clientX: number, clientY: number): Vector2 {
+    const box = this.canvas.getBoundingClientRect();
+    return new Vector2(
+      (2 * (clientX - box.left)) / box.width - 1,
+      1 - (2 * (clientY - box.top)) / box.height,
+    );
+  }
+
+  /** How many mm a pixel of the window is at a place. */
+  mmPerPixel(place: Vector3): number {
+    const far = place.clone().sub(this.camera.position).dot(this.camera.getWorldDirection(new Vector3()));
+    return (2 * far * Math.tan((FIELD_DEG * Math.PI) / 360)) / this.canvas.clientHeight;
+  }
+
+  redraw(): void {
+    if (this.asked) return;
+    this.asked = requestAnimationFrame((timeMs) => this.tick(timeMs));
+  }
+
+  /** A picture of the scene as it is, PNG. */
+  picture(): Promise<Blob | null> {
+    this.draw(FINE);
+    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+  }
+
+  private distance(): number {
+    const narrow = Math.min(this.camera.aspect, 1);
+    return (this.sphere.radius * 1.08) / Math.sin(Math.atan(Math.tan((FIELD_DEG * Math.PI) / 360) * narrow));
+  }
+
+  private fly(target: Vector3, away: Vector3, distance: number, flies = true): void {
+    const position = target.clone().addScaledVector(away, distance);
+    if (!flies || matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.flight = null;
+      this.camera.position.copy(position);
+      this.controls.target.copy(target);
+      this.controls.update();
+    } else {
+      const from: [Vector3, Vector3] = [this.camera.position.clone(), this.controls.target.clone()];
+      this.flight = { from, to: [position, target], begin: performance.now() };
+    }
+    this.redraw();
+  }
+
+  private moved(): void {
+    this.movedMs = performance.now();
+    this.redraw();
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!width || !height) return;
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.redraw();
+  }
+
+  private tick(timeMs: number): void {
+    this.asked = 0;
+    this.advanceFlight(timeMs);
+    const playing = this.onFrame(timeMs);
+    const moving = playing || this.flight !== null || timeMs - this.movedMs < REST_MS;
+    if (moving) this.pace(timeMs);
+    this.lastMs = moving ? timeMs : 0;
+    this.fine = !moving;
+    this.draw(this.fine ? FINE : this.coarse);
+    if (playing || this.flight) this.redraw();
+    else if (moving) {
+      clearTimeout(this.resting);
+      this.resting = window.setTimeout(() => this.redraw(), REST_MS);
+    }
+  }
+
+  /** Draws coarser if frames come slowly, finer if they come fast. */
+  private pace(timeMs: number): void {
+    if (!this.lastMs) return;
+    const took = timeMs - this.lastMs;
+    if (took > 400) return;
+    this.drawn.motionMs = took;
+    if (took > SLOW_MS) this.coarse = Math.max(this.coarse / 1.3, COARSEST);
+    else if (took < SLOW_MS / 1.6) this.coarse = Math.min(this.coarse * 1.1, 1);
+  }
+
+  private draw(scale: number): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!width || !height) return;
+    const ratio = scale > 1 ? Math.max(devicePixelRatio, scale) : devicePixelRatio * scale;
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
+    const size = this.renderer.getSize(new Vector2());
+    if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);
+    const far = this.camera.position.distanceTo(this.sphere.center);
+    const reach = Math.max(this.sphere.radius, 300);
+    this.camera.near = Math.max((far - reach) * 0.9, far * 0.02, 0.2);
+    this.camera.far = far + 3 * reach;
+    this.camera.updateProjectionMatrix();
+    for (const part of [this.strands, this.surface]) part.fade(far - 0.2 * this.sphere.radius, 2 * this.sphere.radius);
+    this.renderer.render(this.scene, this.camera);
+    this.drawn.frames += 1;
+  }
+
+  private advanceFlight(timeMs: number): void {
+    if (!this.flight) return;
+    const share = Math.min(Math.max((timeMs - this.flight.begin) / FLIGHT_MS, 0), 1);
+    const eased = share * share * (3 - 2 * share);
+    const [position, target] = this.flight.to;
+    const [fromPosition, fromTarget] = this.flight.from;
+    this.controls.target.lerpVectors(fromTarget, target, eased);
+    // About the target rather than straight through it.
+    const from = fromPosition.clone().sub(fromTarget);
+    const to = position.clone().sub(target);
+    const away = from.clone().lerp(to, eased);
+    away.setLength(from.length() + (to.length() - from.length()) * eased);
+    this.camera.position.copy(this.controls.target).add(away);
+    if (share === 1) this.flight = null;
+    this.controls.update();
+  }
+}
+
+function disc(): CanvasTexture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const ink = canvas.getContext("2d")!;
+  ink.fillStyle = "#fff";
+  ink.beginPath();
+  ink.arc(32, 32, 26, 0, 2 * Math.PI);
+  ink.fill();
+  return new CanvasTexture(canvas);
+}
