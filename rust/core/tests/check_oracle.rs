@@ -155,16 +155,20 @@ fn may_be_held(
         || (0..moves.len()).any(|other| (own(other) || counts(other)) && near(other))
 }
 
-/// Lines of the strands that end a chain where nothing at all is near.
+/// Lines of the strands that end a chain where nothing but themselves is near, their own chain included,
+/// which they may end on.
 fn surely_dangling(moves: &[Step], rules: &Rules) -> Vec<u64> {
-    let (arcs, last) = (arcs(moves), moves.len() - 1);
+    const PLAY: f64 = 1e-2;
+    let last = moves.len() - 1;
     let dangles = |&index: &usize| {
-        let (step, length) = (&moves[index], moves[index].from.distance(moves[index].to));
+        let end = moves[index].to;
         let ends = index == last || moves[index + 1].filament == 0.0;
-        let other_chain = |other: usize| arcs[other].0 != arcs[index].0;
-        step.filament > 0.0
+        let others = (0..moves.len()).filter(|&i| i != index && moves[i].filament > 0.0);
+        let mut off = others.map(|other| distance(end, &moves[other]));
+        moves[index].filament > 0.0
             && ends
-            && !may_be_held((index, length), other_chain, moves, rules, 1e-2)
+            && end.z > rules.bed_contact + PLAY
+            && off.all(|off| off > rules.strand + PLAY)
     };
     (0..moves.len()).filter(dangles).map(|index| moves[index].line).collect()
 }
