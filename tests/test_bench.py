@@ -420,7 +420,11 @@ class TestCommand:
     def test_the_command_fails_where_every_row_does(self, cube, tmp_path):
         broken = tmp_path / "broken.stl"
         broken.write_bytes(b"no model")
-        assert bench(broken, "-o", tmp_path / "a.csv", "--jobs", "1").exit_code == 1
+        results = tmp_path / "a.csv"
+        assert bench(broken, "-o", results, "--jobs", "1").exit_code == 1
+        with results.open(newline="") as file:
+            [row] = csv.DictReader(file)
+        assert (row["printer"], row["material"]) == ("kossel-mini", "abs")
 
     def test_a_picture_that_is_no_histogram_is_not_overwritten(self, cube, tmp_path):
         picture = tmp_path / "results.png"

@@ -294,7 +294,7 @@ def test_the_fast_path_imports_no_numpy(cube, tmp_path):
 
 @pytest.mark.parametrize(
     ("scale", "asks"),
-    [(1 / 25.4, "--units inch"), (0.1, "--units cm"), (1, "")],
+    [(1e-3, "--units m"), (1 / 25.4, "--units inch"), (0.1, "--units cm"), (1, "")],
 )
 def test_a_model_in_another_unit_is_noticed(scale, asks, cube, tmp_path):
     mesh = load_mesh(cube)
@@ -311,3 +311,43 @@ def test_a_model_in_another_unit_is_noticed(scale, asks, cube, tmp_path):
     if asks:
         unit = asks.split()[1]
         assert "is that its unit" not in run("info", model, "--units", unit).stdout
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e-12])
+def test_a_model_too_small_for_any_unit_is_described_and_asked_for_its_height(
+    scale, cube, tmp_path
+):
+    told = run("info", cube, "--json").stdout
+    size = json.loads(told)["size_mm"][0]
+    model = tmp_path / "speck.obj"
+    mesh = load_mesh(cube)
+    model.write_text(
+        "".join(f"v {x} {y} {z}\n" for x, y, z in mesh.vertices * scale)
+        + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in mesh.faces)
+    )
+    done = run("info", model, "--json")
+    assert done.exit_code == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert found["size_mm"] == pytest.approx([scale * size] * 3, rel=1e-6)
+    assert any("--height" in warning for warning in found["warnings"])
+    refused = run("slice", model, "-o", tmp_path / "a.gcode")
+    assert refused.exit_code == 3
+    assert "--height" in refused.stderr
+
+
+@pytest.mark.parametrize("sequence", ["start", "end"])
+def test_a_sequence_that_leaves_the_bed_is_an_error_of_the_profile(sequence, cube, tmp_path):
+    lines = Settings.load("prusa-mk4s", "pla").printer.gcode.model_dump()[sequence]
+    for place, leads_out in ((40, False), (400, True)):
+        target = tmp_path / f"{place}.gcode"
+        move = f"G90\nG1 X{place} Y{place} F6000\n"
+        # Behind what homes, and before what ends it.
+        text = lines + move if sequence == "start" else move + lines
+        options = ["--printer", "prusa-mk4s", "--material", "pla", "--height", 12]
+        done = run("slice", cube, "-o", target, *options, "--set", f"gcode.{sequence}={text}")
+        assert done.exit_code == (4 if leads_out else 0), done.stderr
+        assert target.exists() is not leads_out
+        if leads_out:
+            assert f"gcode.{sequence} of the printer prusa-mk4s" in done.stderr
+            assert "profile" in done.stderr
+            assert "scale" not in done.stderr

@@ -24,6 +24,9 @@ UNITS_MM: Final = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 #: Suffixes of the files that `load_mesh` reads.
 SUFFIXES: Final = (*FORMATS, "3mf")
 
+#: Suffixes of files that slicers write for printers: no models.
+_SLICED: Final = ("gcode", "gco", "g", "nc", "ngc", "bgcode", "ufp")
+
 
 def load_mesh(
     path: str | os.PathLike[str],
@@ -78,7 +81,7 @@ def load_mesh(
     Raises
     ------
     ModelError
-        The file cannot be read, makes no surface, or is too large or tiny for its units.
+        The file cannot be read, makes no surface, or is too large for its units.
     SettingError
         An argument is out of its bounds.
     """
@@ -99,6 +102,9 @@ def load_mesh(
         from wireprint.file3mf import File3mf
 
         return placed(File3mf(Path(path), plate), units=units, **placement)
+    if suffix in _SLICED:
+        msg = f"{path}: it holds G-code, sliced already, and no model; take what it was made from"
+        raise ModelError(msg)
     if suffix not in FORMATS:
         known = ", ".join(name.upper() for name in SUFFIXES)
         msg = (

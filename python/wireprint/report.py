@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 #: Models up to this size are mostly not meant in mm …
 _SMALL_MM: Final = 10.0
+#: … (less than this, a nozzle's width, makes no print) …
+_TINY_MM: Final = 0.5
 #: … but in a unit in which they have a size like this.
 _USUAL_MM: Final = (20.0, 500.0)
 #: Options of placing that leave a model as large as its file says, in mm.
@@ -174,7 +176,9 @@ def units_meant(size_mm: tuple[float, float, float], placement: Mapping[str, Any
         if unit_mm > 1 and low_mm <= longest_mm * unit_mm <= high_mm
     ]
     if not units:
-        return []
+        if longest_mm >= _TINY_MM:
+            return []
+        return [f"it measures {longest_mm:.3g} mm at most; say how large it is by --height"]
     ways_out = " or ".join(f"--units {name}" for name in units)
     return [f"it measures {longest_mm:.3g} mm at most; is that its unit? Try {ways_out}"]
 
@@ -190,6 +194,31 @@ def slowed(settings: Settings) -> list[str]:
         for name, value in asked.items()
         if getattr(settings, name) < value
     ]
+
+
+def led_out(certificate: Certificate, settings: Settings) -> str | None:
+    """Say which sequence of the printer's profile leads the head off the bed; None if neither does.
+
+    No size of the model would help. What is printed bears labels, and the sequences stand before
+    and behind all of that.
+    """
+    core = certificate.core
+    features = core.features
+    labelled = [
+        line
+        for line, feature in zip(core.strand_lines, core.strand_features, strict=True)
+        if features[feature]
+    ]
+    if not labelled:
+        return None
+    for breach in certificate.out_of_bounds:
+        if breach.bound == "volume" and not labelled[0] <= breach.line <= labelled[-1]:
+            key = "gcode.start" if breach.line < labelled[0] else "gcode.end"
+            return (
+                f"{key} of the printer {settings.printer.name} leads the head out of its build "
+                f"volume ({settings.printer.bed}): {breach}; change {key} in the printer's profile"
+            )
+    return None
 
 
 def breaches(certificate: Certificate, settings: Settings) -> str:

@@ -62,9 +62,9 @@ def _evaluated(job: Job, task: Task, path: Path, row: Row) -> str | None:
     from wireprint.settings import Settings
 
     try:
-        model = load_model(path, **asdict(task.placement))
         settings = Settings.from_mapping(task.settings or job.settings)
         row["printer"], row["material"] = settings.printer.name, settings.material.name
+        model = load_model(path, **asdict(task.placement))
         job.evaluate(_turned(model, settings, row) if job.orient else model, settings, row)
     except WireprintError as error:
         return str(error).removeprefix(f"{path}: ")

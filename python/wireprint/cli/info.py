@@ -67,10 +67,10 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
         return
     x, y, z = mesh.size_mm
     say(str(model))
-    say(f"  size       {x:.2f} × {y:.2f} × {z:.2f} mm")
+    say(f"  size       {_figure(x)} × {_figure(y)} × {_figure(z)} mm")
     say(f"  facets     {mesh.report['facets']} in {mesh.report['components']} parts")
-    say(f"  surface    {mesh.area / 100:.2f} cm²")
-    say(f"  volume     {mesh.volume / 1000:.2f} cm³{'' if found['closed'] else ' (open)'}")
+    say(f"  surface    {_figure(mesh.area / 100)} cm²")
+    say(f"  volume     {_figure(mesh.volume / 1000)} cm³{'' if found['closed'] else ' (open)'}")
     if loaded.contents is not None:
         for line in _contents(loaded.contents):
             say(line)
@@ -83,6 +83,11 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
     if turned is not None:
         for line in _poses(turned):
             say(line)
+
+
+def _figure(value: float) -> str:
+    """Return a figure with two decimals, or as many as a small one needs."""
+    return f"{value:.2f}" if value >= 0.1 or value <= 0 else f"{value:.2g}"
 
 
 def _contents(contents: Contents) -> Iterator[str]:

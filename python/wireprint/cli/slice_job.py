@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from wireprint._core import ModelError, UnprintableError
+from wireprint._core import ModelError, SettingError, UnprintableError
 from wireprint.streams import is_stream
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ class Job:
         """Turn one model into G-code."""
         from wireprint.gcode.document import dated
         from wireprint.pipeline import Clock, make
-        from wireprint.report import breaches, units_meant
+        from wireprint.report import breaches, led_out, units_meant
         from wireprint.wholeness import IncompleteError, is_whole, shortfall
 
         clock = Clock(on_stage=lambda stage: progress.show(f"{model.name}: {stage}"))
@@ -85,7 +85,10 @@ class Job:
         except (ModelError, UnprintableError) as error:
             raise type(error)("; ".join([f"{model}: {error}", *warnings])) from error
         if made.certificate is not None and not made.certificate.ok:
-            reason = breaches(made.certificate, settings)
+            sequence = led_out(made.certificate, settings)
+            if sequence is not None and not self.force:
+                raise SettingError(sequence)
+            reason = sequence or breaches(made.certificate, settings)
             if not self.force:
                 raise UnprintableError(f"{model}: {reason}")
             warnings.append(f"written although {reason}")

@@ -1,4 +1,4 @@
-"""G-code as it comes: from a file, from memory, or out of a sliced plate."""
+"""G-code as it comes: from a file, from memory, out of a sliced plate, or as binary G-code."""
 
 from __future__ import annotations
 
@@ -9,10 +9,13 @@ import zlib
 from pathlib import Path
 from typing import Final
 
-from wireprint._core import GcodeError
+from wireprint._core import GcodeError, bgcode_text
 
 #: What G-code in memory is called.
 TEXT: Final = "the text"
+#: Files that are no text, and can be read all the same.
+ZIP: Final = "zip"
+BINARY: Final = "binary G-code"
 #: What a zip archive begins with, a binary G-code file, and files packed by gzip.
 _ZIP: Final = b"PK\x03\x04"
 _BINARY: Final = b"GCDE"
@@ -34,7 +37,7 @@ def read(source: str | os.PathLike[str] | bytes) -> tuple[bytes, str]:
     ----------
     source
         Path of a file, or the text itself. A plate that Bambu Studio, OrcaSlicer or Cura sliced
-        (``.gcode.3mf``, ``.ufp``) is unpacked, if it holds one.
+        (``.gcode.3mf``, ``.ufp``) is unpacked, if it holds one; so is binary G-code (``.bgcode``).
 
     Raises
     ------
@@ -49,19 +52,24 @@ def read(source: str | os.PathLike[str] | bytes) -> tuple[bytes, str]:
     kind = kind_of(source)
     if kind is None:
         return Path(source).read_bytes(), name
-    if kind != "zip":
+    if kind == BINARY:
+        try:
+            return bgcode_text(Path(source).read_bytes()), name
+        except GcodeError as error:
+            raise GcodeError(f"{name}: {error}") from None
+    if kind != ZIP:
         raise GcodeError(f"{name}: {kind}")
     return _unpacked(name), name
 
 
 def kind_of(source: str | os.PathLike[str]) -> str | None:
-    """Return what a file holds that is no text: ``zip``, or a sentence; None for text."""
+    """Return what a file holds that is no text: `ZIP`, `BINARY`, or a sentence; None for text."""
     with open(source, "rb") as file:
         head = file.read(_HEAD)
     if head.startswith(_ZIP):
-        return "zip"
+        return ZIP
     if head.startswith(_BINARY):
-        return "binary G-code is not read; save it as plain G-code (PrusaSlicer: Printer settings)"
+        return BINARY
     if head.startswith(_GZIP):
         return "it is packed by gzip; unpack it first (gunzip)"
     if b"\0" in head:

@@ -1,6 +1,7 @@
 //! The Python binding: converts, releases the GIL, calls the core. No algorithm lives here.
 
 mod arrays;
+mod bgcode;
 mod carve;
 mod check;
 mod errors;
@@ -23,6 +24,8 @@ mod wireframe;
 mod _core {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use super::bgcode::bgcode_text;
     #[pymodule_export]
     use super::carve::carve;
     #[pymodule_export]

@@ -32,8 +32,6 @@ pub struct Placement {
 
 /// Largest extent that a model may have, mm; anything larger is a mistaken unit.
 const LARGEST_MM: f64 = 10_000.0;
-/// Smallest extent that a model may have, mm: less than a nozzle's width is a mistaken unit.
-const SMALLEST_MM: f64 = 0.5;
 
 impl Placement {
     fn check(&self) -> Result<()> {
@@ -67,7 +65,7 @@ impl Mesh {
     ///
     /// # Errors
     /// [`CoreError::Setting`] for a scale or height that is not positive or a rotation that is
-    /// not finite, [`CoreError::Unreadable`] where the placed model is too large or too small.
+    /// not finite, [`CoreError::Unreadable`] where the placed model is too large.
     pub fn placed(mut self, placement: &Placement) -> Result<Self> {
         placement.check()?;
         let matrix = placement.matrix();
@@ -90,16 +88,12 @@ impl Mesh {
 }
 
 fn check_size(size: DVec3) -> Result<()> {
-    let largest = size.max_element();
-    let advice = if !size.is_finite() || largest > LARGEST_MM {
-        "too large: shrink it by --scale, --units or --height"
-    } else if largest < SMALLEST_MM {
-        "tiny: perhaps it is in metres or inches; set --units, --scale or --height"
-    } else {
+    if size.is_finite() && size.max_element() <= LARGEST_MM {
         return Ok(());
-    };
+    }
     Err(CoreError::Unreadable(format!(
-        "the model measures {} × {} × {} mm and is {advice}",
+        "the model measures {} × {} × {} mm and is too large: shrink it by --scale, --units or \
+         --height",
         rounded(size.x),
         rounded(size.y),
         rounded(size.z)
