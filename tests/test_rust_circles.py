@@ -8,13 +8,6 @@ import pytest
 import rust_imports
 
 CORE = Path(__file__).parents[1] / "rust" / "core" / "src"
-#: Circles that are still there: this list may only shrink.
-KNOWN = [
-    ["contours/chains.rs", "contours/sweep.rs"],
-    ["contours/mod.rs", "contours/nesting.rs"],
-    ["render/raster.rs", "render/shade.rs", "render/stroke.rs", "render/triangle.rs"],
-    ["slices/cut.rs", "slices/mod.rs", "slices/ranks.rs"],
-]
 
 
 def circles(edges):
@@ -29,8 +22,8 @@ def core():
     return rust_imports.imports(CORE)
 
 
-def test_the_core_has_the_known_circles_at_most_and_none_that_is_known_is_mended(core):
-    assert circles(core) == KNOWN
+def test_the_core_has_no_circle(core):
+    assert circles(core) == []
 
 
 def test_the_core_stages_import_each_other_in_one_direction(core):

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::sweep::Ring;
+use super::ring::Ring;
 
 /// Slope of the sweep line: out of line with the edges that models usually have.
 const SHEAR: f64 = 0.381_966_011_250_105_1;

@@ -1,12 +1,13 @@
 //! Stage 3, contours: loops of a slice with their nesting.
 
 mod chains;
+mod contour;
 mod nesting;
+mod ring;
 mod sweep;
 mod union;
 
-use glam::DVec2;
-
+pub use contour::Contour;
 pub use nesting::contours;
 pub use union::union;
 
@@ -17,23 +18,4 @@ use crate::slices::{Plane, cut_map};
 #[must_use]
 pub fn sliced(mesh: &Mesh, planes: &[Plane], min_length: f64) -> Vec<Vec<Contour>> {
     cut_map(mesh, planes, |loops| contours(loops, min_length))
-}
-
-/// One contour of a slice.
-#[derive(Debug, Clone, Default)]
-pub struct Contour {
-    /// Points, mm, the first not repeated: counter-clockwise outside, clockwise around a hole.
-    pub points: Vec<DVec2>,
-    /// Face of the mesh that carries the segment from point `i` to `i + 1`.
-    pub faces: Vec<u32>,
-    /// Whether the last point joins the first; a rim of an open mesh gives open contours.
-    pub closed: bool,
-    /// Index, within the slice, of the contour that directly encloses this one.
-    pub parent: Option<u32>,
-    /// Number of contours that enclose this one.
-    pub depth: u32,
-    /// Signed area, mm²; negative for a hole, 0 for an open contour.
-    pub area: f64,
-    /// Whether it belongs to a support, not to the model.
-    pub support: bool,
 }

@@ -2,8 +2,9 @@
 
 use glam::DVec2;
 
-use super::Contour;
-use super::sweep::{Found, Ring, sweep};
+use super::contour::Contour;
+use super::ring::Ring;
+use super::sweep::{Found, sweep};
 use super::union::union;
 use crate::geometry::polygon::{length, signed_area};
 use crate::slices::Loop;

@@ -11,6 +11,7 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::chains::{Chain, Chains, Key};
+use super::ring::Ring;
 use super::union::UNITS_PER_MM;
 use crate::geometry::polygon::turn;
 
@@ -19,13 +20,6 @@ const NONE: u32 = u32::MAX;
 const TOUCH: f64 = 1.0 / UNITS_PER_MM;
 /// Walls that coincide over less than this only meet at a corner, mm.
 const OVERLAP: f64 = 1e-6;
-
-/// One loop as the sweep sees it.
-pub(super) struct Ring<'a> {
-    pub points: &'a [DVec2],
-    /// Signed area; none for points, lines and open polylines, which enclose nothing.
-    pub area: Option<f64>,
-}
 
 /// What the sweep found.
 pub(super) struct Found {

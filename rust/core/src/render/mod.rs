@@ -12,6 +12,7 @@ mod deflate;
 mod image;
 mod indexed;
 mod raster;
+mod sample;
 mod scene;
 mod shade;
 mod shrink;

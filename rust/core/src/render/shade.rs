@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use super::raster::Sample;
+use super::sample::Sample;
 use super::scene::Rgb;
 
 /// Where the light comes from, in the camera's axes: over the left shoulder.

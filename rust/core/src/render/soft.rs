@@ -5,7 +5,7 @@
 use glam::{Vec2, Vec4};
 
 use super::camera::Projector;
-use super::raster::BEHIND;
+use super::sample::BEHIND;
 use super::scene::Stroke;
 use super::shade::{Gloss, Shader};
 use super::stroke::{Capsule, HALO, HALO_DEPTH, Swath};

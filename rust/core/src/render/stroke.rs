@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::camera::Projector;
-use super::raster::{BEHIND, COLUMNS, GROUND, Sample, Sight};
+use super::sample::{BEHIND, COLUMNS, GROUND, Sample, Sight};
 use super::scene::{Rgb, Stroke, Width};
 
 /// Width of the gap that a strand leaves in strands behind it, as a share of its radius.

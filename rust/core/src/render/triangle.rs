@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::camera::Projector;
-use super::raster::{COLUMNS, Sample, Sight};
+use super::sample::{COLUMNS, Sample, Sight};
 use super::scene::{Facet, Rgb};
 
 /// A projected facet; lengths in samples, y downwards.

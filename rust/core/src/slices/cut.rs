@@ -10,8 +10,9 @@ use std::sync::{Mutex, PoisonError};
 use glam::DVec2;
 use rayon::prelude::*;
 
+use super::outlines::Loop;
+use super::plane::Plane;
 use super::ranks::Ladder;
-use super::{Loop, Plane};
 use crate::mesh::{Mesh, NO_FACE};
 
 /// The corner, or edge, after each one of a triangle.
@@ -26,7 +27,7 @@ const BANDS_PER_THREAD: usize = 4;
 /// Cuts the mesh at every plane: one list of loops a plane, in the order of `planes`.
 ///
 /// Planes may come in any order and repeat. Segments are linked by the mesh's edges alone, so a
-/// closed mesh gives closed loops at any height; see [`Side`](super::Side) for vertices in a plane.
+/// closed mesh gives closed loops at any height; see [`Side`](super::plane::Side) for vertices in a plane.
 /// Loops are ordered by the smallest face they pass through, and start there. Repeated points
 /// are dropped: a loop around a vertex in the plane may shrink to a single point.
 /// An open chain without length is left out.

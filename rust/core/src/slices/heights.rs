@@ -9,9 +9,11 @@ use glam::DVec2;
 use rayon::prelude::*;
 use serde::Deserialize;
 
+use super::cut::cut_map;
 use super::features::{Feature, FeatureKind, features};
+use super::outlines::Loop;
+use super::plane::{Plane, Side};
 use super::profile::Profile;
-use super::{Loop, Plane, Side, cut::cut_map};
 use crate::head::Head;
 use crate::mesh::Mesh;
 use crate::stroke::Strokes;

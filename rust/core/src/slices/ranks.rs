@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{Plane, Side};
+use super::plane::{Plane, Side};
 
 /// Cells of the look-up table per plane: enough that a cell rarely holds two planes.
 const CELLS_PER_PLANE: usize = 4;
