@@ -68,7 +68,7 @@ class Touchable:
 
 
 def anchored(route: Route, touchable: Touchable) -> Route:
-    """Mend each line that begins in the air, or ends where nothing will ever meet it.
+    """Mend each line that begins or ends in the air: the head leaves its end at once.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def _mended(route: Route, ground: _Ground) -> Route:
     begins, ends = route.offsets[:-1], route.offsets[1:]
     lines = np.arange(len(begins))
     loose = ~ground.holds(route.points[begins, :2], lines)
-    loose |= ~ground.meets(route.points[ends - 1, :2], lines)
+    loose |= ~ground.holds(route.points[ends - 1, :2], lines, _TOUCH)
     if not loose.any():
         return route
     pieces: list[tuple[Floats, int]] = []
@@ -154,16 +154,6 @@ class _Ground:
         held[self.rims.near(points, layer - 1, rim * self.strand_mm)[0]] = True
         return held
 
-    def meets(self, points: Floats, line: Ints) -> Bools:
-        """Tell which points lie on something there before or after these lines."""
-        met = self.holds(points, line, _TOUCH)
-        layer, touch = self.layer[line], _TOUCH * self.strand_mm
-        beside = _TOUCH_BESIDE * self.strand_mm
-        met[self.lines.near(points, layer + 1, touch)[0]] = True
-        asked, found = self.lines.near(points, layer, beside)
-        met[asked[self.order[found] > line[asked]]] = True
-        return met
-
     def mended(self, points: Floats, line: int) -> list[Floats] | None:
         """Return what is left of a line, in parts that begin on something.
 
@@ -174,9 +164,9 @@ class _Ground:
         along = np.linspace(0.0, string.length, count + 1)
         places = shapely.get_coordinates(shapely.line_interpolate_point(string, along))
         lines = np.full(len(places), line)
-        held, met = self.holds(places, lines), self.meets(places, lines)
+        held, met = self.holds(places, lines), self.holds(places, lines, _TOUCH)
         if not held.any():
-            held = self.holds(places, lines, _TOUCH)
+            held = met
         if not held.any():
             # An outer wall may lean on the fill behind it; others can be done without.
             return None if self._is_outer(places, line) else []

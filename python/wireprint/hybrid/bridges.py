@@ -25,6 +25,8 @@ _DIRECTIONS = 12
 _EDGES = 2
 #: From bridge to bridge, in line widths.
 _PITCH = 2.0
+#: Directions in which this part of what the best one covers is covered are as good.
+_AS_MUCH = 0.95
 #: A bridge's end this part of a line's width away from something lies on it.
 _HELD = 0.1
 
@@ -49,7 +51,7 @@ def bridged(
     -------
     tuple or None
         What lies between bridges both of whose ends are held, and their direction from the x axis,
-        radians: that of all directions tried in which they reach farthest.
+        radians: that of all directions tried in which they cover the most, the shortest way.
     """
     turns = np.concatenate([np.arange(_DIRECTIONS) * np.pi / _DIRECTIONS, _along_edges(area, held)])
     copies: Geometries = np.full(len(turns), area, dtype=object)
@@ -63,9 +65,12 @@ def bridged(
     free[near] = shapely.length(shapely.difference(shapely.linestrings(ends[near]), held))
     good = free <= longest_mm
     reach = np.bincount(found.area[good], free[good], len(turns))
-    best = int(np.argmax(reach))
-    if reach[best] <= 0:
+    if reach.max() <= 0:
         return None
+    longest = np.zeros(len(turns))
+    np.maximum.at(longest, found.area[good], free[good])
+    # Of those that cover as much, the one with the shortest way across.
+    best = int(np.argmin(np.where(reach >= _AS_MUCH * reach.max(), longest, np.inf)))
     own = np.flatnonzero(good & (found.area == best))
     return shapely.intersection(_between(found, ends, own), area), float(turns[best])
 

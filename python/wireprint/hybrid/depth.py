@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 _EMPTY = shapely.MultiPolygon()
 #: A layer may reach beyond the one below by this part of a line's width.
-_LEAN = 0.5
+LEAN = 0.5
 #: What is narrower than this many line spacings has no room for a line beside the wall.
 _NARROW = 0.9
 #: Corners are left out that stray less than this part of a line's width.
@@ -87,15 +87,15 @@ def depth(
     A layer may begin beside its wall, lean by half a line over the layer below, or bridge what is
     hollow from one such place to another. What can do neither stays hollow.
     """
-    clear = _wide(shapely.difference(marked, inside.wire), recipe)
+    clear = wide(shapely.difference(marked, inside.wire), recipe)
     beside = buffered(walls, recipe.spacing_mm, cap_style="flat")
     filled: Geometries = np.full(len(marked), _EMPTY, dtype=object)
     turn = np.full(len(marked), np.nan)
     for layer in np.flatnonzero(inside.is_had & ~shapely.is_empty(clear)).tolist():
         below = filled[layer - 1] if layer else _EMPTY
-        solid = buffered(shapely.union(below, ground[layer]), _LEAN * recipe.width_mm)
+        solid = buffered(shapely.union(below, ground[layer]), LEAN * recipe.width_mm)
         held = shapely.intersection(clear[layer], shapely.union(solid, beside[layer]))
-        filled[layer], turn[layer] = _with_bridges(clear[layer], held, recipe, inside.longest_mm)
+        filled[layer], turn[layer] = with_bridges(clear[layer], held, recipe, inside.longest_mm)
     return Depth(marked, clear, filled, turn)
 
 
@@ -123,21 +123,21 @@ def behind(areas: Geometries, sections: Geometries, walls: Fringe) -> Geometries
     return marked
 
 
-def _with_bridges(
+def with_bridges(
     area: Geometry, held: Geometry, recipe: Recipe, longest_mm: float
 ) -> tuple[Any, float]:
     """Add to what is held of an area what bridges cover; return it with their direction."""
-    loose = _wide(shapely.difference(area, held), recipe)
+    loose = wide(shapely.difference(area, held), recipe)
     if shapely.is_empty(loose):
         return area, np.nan
     found = bridged(area, held, recipe.width_mm, longest_mm)
     if found is None:
-        return _wide(held, recipe), np.nan
+        return wide(held, recipe), np.nan
     over, turn = found
-    return _wide(shapely.union(held, over), recipe), turn
+    return wide(shapely.union(held, over), recipe), turn
 
 
-def _wide(areas: Any, recipe: Recipe) -> Any:
+def wide(areas: Any, recipe: Recipe) -> Any:
     """Return areas without what is too narrow for a line."""
     half = _NARROW * recipe.spacing_mm / 2
     fine = shapely.simplify(areas, _FINE * recipe.width_mm)

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from wireprint.hybrid.depth import Depth, Inside, behind, depth
+from wireprint.hybrid.floors import Floors, floors
 from wireprint.hybrid.fringe import Fringe, fringe
 from wireprint.hybrid.group import Group
 from wireprint.layerwise.areas import Geometries, buffered, islands, of_contours, offset
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 _WALLED = 0.5
 #: … nor do those shorter than this many line widths.
 _SHORTEST = 1.5
+_NOTHING = shapely.MultiPolygon(), shapely.MultiLineString()
 #: What is closed reaches beyond the outer wall by this part of a line's width.
 _BEYOND = 0.1
 
@@ -43,8 +45,26 @@ class Laid:
 
     route: Route
     depth: Depth
+    #: Islands that are layers all around, shape (K,), and what of them is filled.
+    solid: Geometries
+    floors: Floors
     #: What the last layer of each slab closes, walls included, shape (K,); empty for the others.
     lids: Geometries
+    #: From the contour to the centre of the innermost wall of an island, mm.
+    walls_mm: float
+
+    def within_walls(self, layer: int) -> shapely.Geometry:
+        """Return what of whole islands is filled on a layer, up to their innermost walls."""
+        room = offset(self.solid[[layer]], -self.walls_mm)[0]
+        return shapely.intersection(room, self.floors.firm[layer])
+
+    def open_mm2(self) -> Floats:
+        """Return the area of whole islands that stays open on each layer, mm², shape (K,)."""
+        found = np.zeros(len(self.solid))
+        open_ = np.flatnonzero(self.floors.is_open)
+        within = offset(self.solid[open_], -self.walls_mm)
+        found[open_] = shapely.area(shapely.difference(within, self.floors.firm[open_]))
+        return found
 
 
 def lay(
@@ -71,15 +91,21 @@ def lay(
     painted = (runs.of_sample >= 0) & ~filled[samples.contour]
     edge = fringe(cut, samples, painted, areas, recipe, inset_mm)
     solid = of_contours(cut, filled, recipe.resolution_mm)
-    deep = _depth(areas, solid, edge, inside, recipe)
+    walls_mm = inset_mm + max(recipe.perimeters - 1, 0) * recipe.spacing_mm
+    floor = floors(solid, inside, walls_mm, recipe)
+    deep = _depth(areas, floor.firm, edge, inside, recipe)
+    # What carries the fill of the layers above: where there is none, they begin with a floor.
+    filled = shapely.union(deep.filled, floor.firm)
+    stack = Stack(areas, filled, recipe)
     groups = [
-        *_islands(solid, areas, recipe, inset_mm),
+        *_islands(solid, floor, stack, inset_mm),
         *edge.groups,
-        *_behind(deep, edge, areas, recipe),
+        *stack.filled(deep.filled, edge.innermost, deep.turn_rad),
+        *stack.filled(*_left_open(solid, floor, walls_mm)),
     ]
     groups = [group for group in groups if len(group.lines)]
     route = _routed(groups, cut.z, recipe) if groups else Route.empty()
-    return Laid(route, deep, _lids(cut, deep, edge, recipe))
+    return Laid(route, deep, solid, floor, _lids(cut, deep, edge, recipe), walls_mm)
 
 
 def _routed(groups: list[Group], z: Floats, recipe: Recipe) -> Route:
@@ -113,14 +139,17 @@ def _in_whole_islands(cut: Cut, whole: Bools) -> Bools:
     return whole & ~broken[shell]
 
 
-def _islands(solid: Geometries, areas: Geometries, recipe: Recipe, inset_mm: float) -> list[Group]:
+def _islands(solid: Geometries, floor: Floors, stack: Stack, inset_mm: float) -> list[Group]:
     """Walls, solid and sparse fill of whole islands."""
     pieces, layer = islands(solid)
     if not len(pieces):
         return []
+    recipe = stack.recipe
     laid = walls(pieces, recipe.perimeters, inset_mm, recipe.spacing_mm, recipe.overlap_mm)
+    inner = laid.inner.copy()
+    inner[floor.is_open[layer]] = shapely.MultiPolygon()
     # From the outside in: the outer wall stands on a contour, the others lean on it.
-    lines = [*reversed(laid.lines), *_fill(laid.inner, layer, areas, _turns(layer), recipe)]
+    lines = [*reversed(laid.lines), *stack.fill(inner, layer, floor.turn_rad)]
     outer = bool(laid.lines)
     return [
         Group(each, layer[each.owner], each.owner, is_inside=not (outer and number == 0))
@@ -128,22 +157,21 @@ def _islands(solid: Geometries, areas: Geometries, recipe: Recipe, inset_mm: flo
     ]
 
 
+def _left_open(
+    solid: Geometries, floor: Floors, walls_mm: float
+) -> tuple[Geometries, Geometries, Floats]:
+    """Return what islands that stay open in part fill, their innermost walls, and the turn."""
+    open_ = np.flatnonzero(floor.is_open)
+    within, walled = (np.full(len(solid), empty, dtype=object) for empty in _NOTHING)
+    rooms = offset(solid[open_], -walls_mm) if walls_mm else solid[open_]
+    within[open_] = shapely.intersection(floor.firm[open_], rooms)
+    walled[open_] = shapely.boundary(rooms)
+    return within, walled, floor.turn_rad
+
+
 def _turns(layer: Ints) -> Floats:
     """Return the direction of the fill of each island, which takes turns from layer to layer."""
     return np.where(layer % 2 == 0, np.pi / 4, -np.pi / 4)
-
-
-def _fill(
-    inner: Geometries, layer: Ints, areas: Geometries, turn_rad: Floats, recipe: Recipe
-) -> list[Lines]:
-    """Fill what walls leave: solid below tops and above bottoms of the model, else sparse."""
-    solid, sparse = split(inner, layer, areas, recipe.shells)
-    width, spacing = recipe.width_mm, recipe.spacing_mm
-    lines = [hatched(solid, turn_rad, spacing, width, recipe.solid_link_mm)]
-    if recipe.infill_density > 0:
-        wide = spacing / recipe.infill_density
-        lines.append(hatched(sparse, turn_rad, wide, width, recipe.link_mm))
-    return lines
 
 
 def _depth(
@@ -169,21 +197,44 @@ def _lids(cut: Cut, deep: Depth, edge: Fringe, recipe: Recipe) -> Geometries:
     return found
 
 
-def _behind(deep: Depth, edge: Fringe, areas: Geometries, recipe: Recipe) -> list[Group]:
-    """Lay a wall along each side that no wall bounds yet, then the fill."""
-    pieces, layer = islands(deep.filled)
-    if not len(pieces):
-        return []
-    walled = buffered(edge.innermost[layer], _WALLED * recipe.spacing_mm)
-    sides = shapely.difference(shapely.boundary(pieces), walled)
-    inner = offset(pieces, recipe.overlap_mm - recipe.spacing_mm)
-    usual = _turns(layer)
-    turn = np.where(np.isnan(deep.turn_rad[layer]), usual, deep.turn_rad[layer])
-    least_mm = _SHORTEST * recipe.width_mm
-    return [
-        Group.of_strings(sides, layer, least_mm, is_inside=True),
-        *(
-            Group(lines, layer[lines.owner], np.full(len(lines), -1), is_inside=True)
-            for lines in _fill(inner, layer, areas, turn, recipe)
-        ),
-    ]
+@dataclass(frozen=True)
+class Stack:
+    """What the layers cover and fill, by which fill is solid or sparse."""
+
+    #: What the model covers, and what of it is filled, shape (K,).
+    areas: Geometries
+    firm: Geometries
+    recipe: Recipe
+
+    def filled(self, areas: Geometries, innermost: Geometries, turn_rad: Floats) -> list[Group]:
+        """Fill areas that reach up to walls, with a wall along each side that has none yet."""
+        recipe = self.recipe
+        pieces, layer = islands(areas)
+        if not len(pieces):
+            return []
+        walled = buffered(innermost[layer], _WALLED * recipe.spacing_mm)
+        sides = shapely.difference(shapely.boundary(pieces), walled)
+        inner = offset(pieces, recipe.overlap_mm - recipe.spacing_mm)
+        least_mm = _SHORTEST * recipe.width_mm
+        return [
+            Group.of_strings(sides, layer, least_mm, is_inside=True),
+            *(
+                Group(lines, layer[lines.owner], np.full(len(lines), -1), is_inside=True)
+                for lines in self.fill(inner, layer, turn_rad)
+            ),
+        ]
+
+    def fill(self, inner: Geometries, layer: Ints, turn_rad: Floats) -> list[Lines]:
+        """Fill what walls leave: solid near tops, bottoms and what is hollow below, else sparse.
+
+        The direction of each layer is given where it matters, else not a number.
+        """
+        recipe = self.recipe
+        turn = np.where(np.isnan(turn_rad[layer]), _turns(layer), turn_rad[layer])
+        solid, sparse = split(inner, layer, self.areas, recipe.shells, self.firm)
+        width, spacing = recipe.width_mm, recipe.spacing_mm
+        lines = [hatched(solid, turn, spacing, width, recipe.solid_link_mm)]
+        if recipe.infill_density > 0:
+            wide = spacing / recipe.infill_density
+            lines.append(hatched(sparse, turn, wide, width, recipe.link_mm))
+        return lines

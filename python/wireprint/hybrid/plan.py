@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 #: What stays hollow is told from this volume on, mm³: corners that are rounded come to less.
 _SPECK_MM3 = 1.0
+#: Fill is at most this part of a line's width away from what it fills.
+_BESIDE = 0.5
 #: Heights are written to 1 µm.
 _ROUNDING_MM = 1e-3
 
@@ -127,8 +129,10 @@ class Plan:
         layer = min(
             int(np.searchsorted(self.cut.z, place_mm[2] - _ROUNDING_MM)), len(self.cut.z) - 1
         )
-        near = self.laid.depth.filled[layer]
-        if shapely.distance(near, shapely.Point(place_mm[:2])) <= self.sketch.recipe.width_mm / 2:
+        place, reach_mm = shapely.Point(place_mm[:2]), _BESIDE * self.sketch.recipe.width_mm
+        # Walls reach further inwards than that, and are no fill.
+        filled = self.laid.depth.filled[layer], self.laid.within_walls(layer)
+        if shapely.dwithin(filled, place, reach_mm).any():
             return int(self.cut.slab[layer])
         return None
 
@@ -141,7 +145,8 @@ class Plan:
         )
         why = np.array([reason or "over_hollow" for reason in given_up])
         lost = [("beside_wire", marked - clear)]
-        lost += [(reason, (clear - filled) * (why == reason)) for reason in np.unique(why).tolist()]
+        open_ = clear - filled + self.laid.open_mm2() * self.cut.thickness
+        lost += [(reason, open_ * (why == reason)) for reason in np.unique(why).tolist()]
         parts = []
         for reason, volume in lost:
             layers = np.flatnonzero(volume > 0)

@@ -14,6 +14,8 @@ from wireprint.hybrid.plan import Plan
 from wireprint.stages import toolpath, wireframe
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy.typing as npt
 
     from wireprint._core import Toolpath, Wireframe
@@ -35,15 +37,27 @@ _REASONS: Final = {
     "underfed": "wide_bridge",
     "hurried": "overhang",
 }
+
+
+def _middle(span: Any) -> npt.NDArray[np.float64]:
+    """Return the middle of a span: both its ends lie on something else."""
+    middle: npt.NDArray[np.float64] = np.mean([span.from_mm, span.to_mm], axis=0)
+    return middle
+
+
+def _at(breach: Any) -> npt.NDArray[np.float64]:
+    return np.array(breach.at_mm)
+
+
 #: Where each kind of breach is.
-_PLACES: Final = {
-    "collisions": "tip_mm",
-    "floating_starts": "at_mm",
-    "dangling_ends": "at_mm",
-    "spans_over": "from_mm",
-    "out_of_bounds": "at_mm",
-    "underfed": "at_mm",
-    "hurried": "at_mm",
+_PLACES: Final[dict[str, Callable[[Any], npt.NDArray[np.float64]]]] = {
+    "collisions": lambda hit: np.array(hit.tip_mm),
+    "floating_starts": _at,
+    "dangling_ends": _at,
+    "spans_over": _middle,
+    "out_of_bounds": _at,
+    "underfed": _at,
+    "hurried": _at,
 }
 
 
@@ -129,7 +143,7 @@ def _blamed(
     hollow: dict[int, str] = {}
     for name in _REASONS:
         for breach in verdict.breaches()[name]:
-            place = np.array(getattr(breach, _PLACES[name])) - centre
+            place = _PLACES[name](breach) - centre
             slab = plan.filled_at(place)
             if slab is not None:
                 hollow.setdefault(slab, _REASONS[name])

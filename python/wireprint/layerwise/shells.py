@@ -37,6 +37,7 @@ def split(
     layer: npt.NDArray[np.int64],
     areas: Geometries,
     shells: Shells,
+    below: Geometries | None = None,
 ) -> tuple[Geometries, Geometries]:
     """Split what the walls leave into solid and sparse fill.
 
@@ -50,6 +51,8 @@ def split(
         What each layer covers, shape (K,).
     shells
         How many layers are solid, and what is too small for either fill.
+    below
+        What of each layer carries those above, shape (K,); default: all that it covers.
 
     Returns
     -------
@@ -57,9 +60,14 @@ def split(
         Areas, shape (N,) each.
     """
     sparse = inner.copy()
-    shapely.prepare(areas)
-    for step in (*range(-shells.bottom, 0), *range(1, shells.top + 1)):
-        _cover(sparse, layer + step, areas)
+    below = areas if below is None else below
+    for carrying, steps in (
+        (below, range(-shells.bottom, 0)),
+        (areas, range(1, shells.top + 1)),
+    ):
+        shapely.prepare(carrying)
+        for step in steps:
+            _cover(sparse, layer + step, carrying)
     sparse = _without_small(sparse, shells.smallest_mm2)
     solid: Geometries = np.full(len(inner), _EMPTY, dtype=object)
     change = shapely.area(inner) - shapely.area(sparse) > shells.line_mm**2

@@ -1,0 +1,60 @@
+"""Bands above wire begin with a floor that holds: bridged, closed step by step, or left open."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import trimesh
+
+from wireprint._core import Mesh
+from wireprint.hybrid.prove import proved
+from wireprint.hybrid.sketch import Sketch
+from wireprint.regions import Region, ZRange
+from wireprint.settings import Settings
+
+SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]"])
+SPAN_MM = SETTINGS.wire.span_limit_mm
+
+
+def _sketch(solid):
+    solid.apply_translation((0, 0, -solid.bounds[0, 2]))
+    return Sketch.of(Mesh.from_arrays(solid.vertices, solid.faces), SETTINGS)
+
+
+def _band(sketch, low_mm, high_mm):
+    found = proved(sketch, Region().add(ZRange(low_mm=low_mm, high_mm=high_mm)))
+    kept = sum(run.area_mm2 for run in found.plan.sections)
+    lost = sum(run.area_mm2 for run, _ in found.plan.runs.dropped)
+    return found, kept / (kept + lost)
+
+
+@pytest.mark.parametrize("low_mm", [7.0, 21.0])
+@pytest.mark.parametrize("wide_mm", [0.5 * SPAN_MM, 1.4 * SPAN_MM])
+def test_a_band_keeps_its_runs_however_wide_the_hollow_below(wide_mm, low_mm):
+    sketch = _sketch(trimesh.creation.cylinder(wide_mm / 2, 30.0, sections=96))
+    found, share = _band(sketch, low_mm, 28.0)
+    assert found.rounds == 1
+    assert share > 0.99
+
+
+def test_a_narrow_floor_is_closed_in_its_first_layer():
+    sketch = _sketch(trimesh.creation.box((0.6 * SPAN_MM, 0.5 * SPAN_MM, 30.0)))
+    found, _ = _band(sketch, 12.0, 24.0)
+    assert not found.plan.laid.floors.is_open.any()
+    first = np.flatnonzero(~np.isnan(found.plan.laid.floors.turn_rad))
+    assert len(first) == 1
+    # The shorter way across.
+    assert np.cos(found.plan.laid.floors.turn_rad[first[0]]) == pytest.approx(0, abs=0.1)
+
+
+def test_what_is_too_wide_to_bridge_stays_open_and_is_told():
+    sketch = _sketch(trimesh.creation.cylinder(0.8 * SPAN_MM, 30.0, sections=96))
+    found, share = _band(sketch, 12.0, 24.0)
+    assert share > 0.99
+    (hollow,) = found.plan.left_hollow()
+    assert hollow.reason == "over_hollow"
+    assert hollow.low_mm >= 11.0
+    open_mm2 = found.plan.laid.open_mm2()
+    layers = np.flatnonzero(open_mm2)
+    # Each layer leans inwards over the one below.
+    assert open_mm2[layers[-1]] < open_mm2[layers[0]]
