@@ -214,6 +214,21 @@ class TestPool:
         found = list(pool.rows(planned(cubes), Crowded(unlucky)))
         assert {row["error"] for _, row in found} == {None}
 
+    @pytest.mark.parametrize("seed", range(50))
+    def test_random_kills_of_workers_with_one_task_each_make_no_failures(self, cubes, seed):
+        dice = random.Random(seed)
+        tasks = [dataclasses.replace(planned(cubes)[0], index=index) for index in range(60)]
+        found = list(pool.rows(tasks, Fragile(lambda _: dice.random() < 0.1)))
+        assert {row["error"] for _, row in found} == {None}
+        assert len(found) == 60
+
+    def test_a_fatal_model_is_found_among_random_kills(self, cubes):
+        dice = random.Random(5)
+        unlucky = Fragile(lambda one: one.index == 3 or dice.random() < 0.2)
+        errors = {one.index: row["error"] for one, row in pool.rows(planned(cubes), unlucky)}
+        assert errors.pop(3) == "its worker was lost 6 times"
+        assert set(errors.values()) == {None}
+
 
 class TestProcesses:
     def test_a_model_that_kills_its_process_costs_only_its_own_row(self, cubes):
@@ -492,3 +507,11 @@ def test_a_journal_whose_numbers_are_none_is_refused_by_its_line(cell, tmp_path)
     (tmp_path / "r.csv.journal").write_text(row + "\n")
     with pytest.raises(SettingError, match=r"r\.csv\.journal:1: this is no row"):
         Table(tmp_path / "r.csv")
+
+
+def test_what_does_not_end_is_no_model(tmp_path):
+    [one] = plan(["/dev/zero"], Placement(), {})
+    assert "it is no file" in one.error
+    os.mkfifo(tmp_path / "pipe.stl")
+    [one] = plan([str(tmp_path / "pipe.stl")], Placement(), {})
+    assert "it is no file" in one.error

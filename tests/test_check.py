@@ -240,6 +240,12 @@ def test_coverage_and_deviation_take_arrays():
         deviation(mesh, np.zeros((2, 3, 2)))
 
 
+def test_a_strand_of_a_thousand_kilometres_takes_no_longer_to_compare(cube_stl):
+    lines = [*wire_cube(), "G1 X999999999 Y-999999999 E9", "G1 X0 Y0 Z1 E1"] * 3
+    found = check("\n".join(lines).encode(), model=load_mesh(cube_stl)).fidelity
+    assert found.max_deviation_mm > 1e8
+
+
 def test_arrays_of_the_verdict_are_read_only():
     core = judge(wire_cube()).core
     assert core.strands.shape == (core.strand_count, 2, 3)

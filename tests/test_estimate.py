@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from wireprint import catalogue, limits
 from wireprint._core import GcodeError, SettingError
 from wireprint.gcode.document import footer
+from wireprint.gcode.origin import stated_time_s
 from wireprint.settings import Settings
 from wireprint.timing import Allowances, Choice, clock, estimate, estimate_files
 
@@ -211,3 +212,9 @@ def test_a_delta_and_a_cartesian_machine_can_be_compared():
 )
 def test_a_clock_is_read_as_people_read_it(seconds, text):
     assert clock(seconds) == text
+
+
+@pytest.mark.parametrize("told", ["9" * 400 + "d", "9" * 400, " ", "h", "99999999999999d 1s"])
+def test_a_time_that_no_print_takes_is_not_told(told):
+    text = f"G28\nG1 X1 F600\n; estimated printing time (normal mode) = {told}\n"
+    assert stated_time_s(text.encode()) is None

@@ -6,6 +6,7 @@ import csv
 import glob
 import hashlib
 import json
+import stat
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -108,7 +109,7 @@ def _named(name: str, placement: Placement) -> Iterator[tuple[Path, Placement]]:
     if name == STREAM:
         yield from _manifest(streams.regular(streams.STDIN), Path(), placement)
     elif path.suffix.lower() == ".csv":
-        yield from _manifest(path, path.parent, placement)
+        yield from _manifest(streams.regular(path), path.parent, placement)
     elif path.is_dir():
         yield from _some(name, sorted(path.rglob("*")), placement)
     elif glob.has_magic(name) and not path.exists():
@@ -168,10 +169,9 @@ def _task(
     fingerprint: Mapping[str, Any],
     own_settings: Callable[[Path], dict[str, Any] | None],
 ) -> Task:
-    content, sha256, settings, error = b"", "", None, None
+    size, sha256, settings, error = 0, "", None, None
     try:
-        content = path.read_bytes()
-        sha256 = hashlib.sha256(content).hexdigest()
+        size, sha256 = _content(path)
         settings = own_settings(path)
     except OSError as failure:
         error = f"the file cannot be read: {failure.strerror}"
@@ -186,7 +186,23 @@ def _task(
         placement=placement,
         model_sha256=sha256,
         settings_sha256=hashlib.sha256(json.dumps(whole, sort_keys=True).encode()).hexdigest(),
-        size_bytes=len(content),
+        size_bytes=size,
         error=error,
         settings=settings,
     )
+
+
+def _content(path: Path) -> tuple[int, str]:
+    """Return size and hash of a file.
+
+    Raises
+    ------
+    ModelError
+        It is none, and may not end.
+    """
+    status = path.stat()
+    if not stat.S_ISREG(status.st_mode) and not path.is_dir():
+        msg = f"{path}: it is no file; save what comes from there as one first"
+        raise ModelError(msg)
+    with path.open("rb") as file:
+        return status.st_size, hashlib.file_digest(file, "sha256").hexdigest()

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
 #: A model whose worker is lost this often while it has nothing else to do is taken for the cause.
 MOST_LOSSES: Final = 2
+#: So often it must be where workers are known to be lost without any model's doing. Where one loss
+#: in four hits the same model again, one in four thousand is blamed for what it did not do.
+MOST_LOSSES_ANYWAY: Final = 6
 
 
 @dataclass(frozen=True)
@@ -47,14 +50,25 @@ def rows(tasks: Iterable[Task], pool: Pool) -> Iterator[tuple[Task, Row]]:
 
     A task whose worker is lost is tried again after all others, on a worker of its own, so that a
     model that kills its workers cannot keep the others from being evaluated, and no model is blamed
-    for what another one did.
+    for what another one did. Blame comes last: if a model that had its worker to itself when that
+    was lost is evaluated after all, workers are lost for other reasons.
     """
     # The largest begin first: the last to end should not have begun last.
     waiting = deque(sorted(tasks, key=lambda task: (-task.size_bytes, task.index)))
     suspects: deque[Task] = deque()
+    accused: list[Task] = []
     losses: Counter[int] = Counter()
     running = 0
-    while waiting or suspects or running:
+    most = MOST_LOSSES
+    while waiting or suspects or accused or running:
+        if not (waiting or suspects or running):
+            for task in accused:
+                if losses[task.index] < most:
+                    suspects.append(task)
+                else:
+                    yield task, failed(task, f"its worker was lost {losses[task.index]} times")
+            accused.clear()
+            continue
         while waiting and pool.has_room(alone=False):
             pool.start(waiting.popleft(), alone=False)
             running += 1
@@ -65,10 +79,8 @@ def rows(tasks: Iterable[Task], pool: Pool) -> Iterator[tuple[Task, Row]]:
             running -= 1
             task = ended.task
             if ended.row is not None:
+                most = MOST_LOSSES_ANYWAY if losses[task.index] else most
                 yield task, ended.row
                 continue
             losses[task.index] += ended.alone
-            if losses[task.index] < MOST_LOSSES:
-                suspects.append(task)
-            else:
-                yield task, failed(task, f"its worker was lost {MOST_LOSSES} times")
+            (suspects if losses[task.index] < MOST_LOSSES else accused).append(task)

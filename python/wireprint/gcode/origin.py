@@ -16,6 +16,8 @@ _TIMES: Final = (
     re.compile(rb"^;.*total estimated time: ([\d dhms]+)$", re.MULTILINE),
     re.compile(rb"^;TIME:(\d+(?:\.\d+)?)\s*$", re.MULTILINE),
 )
+#: What says more is no estimate, s: thirty years.
+_LONGEST_S: Final = 1e9
 _UNITS_S: Final = {b"d": 86400, b"h": 3600, b"m": 60, b"s": 1}
 
 
@@ -49,11 +51,16 @@ def stated_time_s(text: bytes) -> float | None:
     return None
 
 
-def _seconds(text: bytes) -> float:
+def _seconds(text: bytes) -> float | None:
     parts = re.findall(rb"(\d+)\s*([dhms])", text)
-    if not parts:
-        return float(text)
-    return float(sum(int(number) * _UNITS_S[unit] for number, unit in parts))
+    try:
+        if not parts:
+            seconds = float(text)
+        else:
+            seconds = sum(float(number) * _UNITS_S[unit] for number, unit in parts)
+    except ValueError:
+        return None
+    return seconds if seconds <= _LONGEST_S else None
 
 
 def _plain(name: str) -> str:

@@ -9,6 +9,10 @@ use crate::mesh::Mesh;
 /// Spacing of the samples along a strand, mm: a few for the shortest post of a wire print.
 const STEP_MM: f64 = 2.0;
 
+/// Most samples along one strand: longer ones than half a metre are sampled more coarsely, so that
+/// time grows with the strands and not with what a file says of their length.
+const MOST_PIECES: f64 = 250.0;
+
 /// Strands that one task measures; neighbours in printing order have neighbours on the surface.
 const BATCH: usize = 64;
 
@@ -42,8 +46,8 @@ impl Surface {
 
     /// Measures the distance of strands from the surface.
     ///
-    /// Each strand is cut into equal pieces of at most 2 mm, and the distance taken at the middle
-    /// of each; that of every sample is exact.
+    /// Each strand is cut into equal pieces of at most 2 mm (250 of them at most), and the distance
+    /// taken at the middle of each; that of every sample is exact.
     #[must_use]
     pub fn deviation(&self, strands: &[[DVec3; 2]]) -> Deviation {
         let measured: Vec<(f64, f64, f64)> = strands
@@ -66,7 +70,7 @@ impl Surface {
 /// Length, integral of the distance and greatest distance of one strand.
 fn of_strand([from, to]: [DVec3; 2], surface: &Triangles, guess: &mut usize) -> (f64, f64, f64) {
     let length = from.distance(to);
-    let pieces = (length / STEP_MM).ceil().clamp(1.0, f64::from(u32::MAX)) as u32;
+    let pieces = (length / STEP_MM).ceil().clamp(1.0, MOST_PIECES) as u32;
     let (mut sum, mut max) = (0.0, 0.0_f64);
     for piece in 0..pieces {
         let middle = from.lerp(to, (f64::from(piece) + 0.5) / f64::from(pieces));
