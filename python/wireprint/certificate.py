@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import _core
 from wireprint._core import GcodeError
 from wireprint.fitting import placed
-from wireprint.gcode.source import read
+from wireprint.gcode.source import NO_GCODE, read
 from wireprint.rules import Judge, faults_of, judge_of, rules_of, terms_of
 from wireprint.timing import RELATIVE_ASSUMED
 from wireprint.verdict import (
@@ -306,7 +306,7 @@ def check(
     rules = rules_of(settings)
     core = _core.certify(text, rules)
     if core.moves == 0:
-        raise GcodeError(f"{name}: it moves nothing; is it G-code, and whole?")
+        raise GcodeError(f"{name}: it moves nothing: if it was cut off, write it again; {NO_GCODE}")
     aside = ASIDE if text.startswith(OWN_MARK) else FOREIGN_ASIDE
     fidelity = None if model is None else _fidelity(core, model, settings, aside, deviation)
     return Certificate(judge, rules, fidelity, core)

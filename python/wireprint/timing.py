@@ -13,7 +13,7 @@ from wireprint import _core
 from wireprint import limits as motion_limits
 from wireprint._core import GcodeError, SettingError
 from wireprint.gcode.origin import stated_time_s
-from wireprint.gcode.source import TEXT, kind_of, read
+from wireprint.gcode.source import NO_GCODE, TEXT, kind_of, read
 from wireprint.naming import named
 
 if TYPE_CHECKING:
@@ -407,7 +407,7 @@ def _checked(
     if isinstance(found, Exception):
         raise found
     if found.moves == 0 and found.garbage_lines > 0:
-        msg = f"{name}: nothing in it is G-code"
+        msg = f"{name}: nothing in it is G-code; {NO_GCODE}"
         raise GcodeError(msg)
     rows = found.per_move
     return Estimate(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint._core import GcodeError, SettingError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
 
     from wireprint.settings import Settings
 
@@ -47,7 +47,7 @@ def settings_in(text: bytes) -> Settings | None:
     from wireprint.settings import Settings
 
     values: dict[str, Any] = {}
-    number = text.count(b"\n", 0, begin) + 1
+    number = first = text.count(b"\n", 0, begin) + 1
     way_out = "name what it was made for by --printer, for an estimate also by --material"
     try:
         for line in text[begin:end].decode().split("\n")[1:-1]:
@@ -64,5 +64,16 @@ def settings_in(text: bytes) -> Settings | None:
     try:
         return Settings.from_mapping(values)
     except SettingError as error:
-        msg = f"the settings that the file was made with do not fit: {error}; {way_out}"
-        raise GcodeError(msg) from None
+        told = text[begin:end].decode().split("\n")
+        number = first + _line_of(str(error).partition(":")[0], told)
+        what = "the settings that the file was made with do not fit"
+        raise GcodeError(f"line {number}: {what}: {error}; {way_out}") from None
+
+
+def _line_of(key: str, lines: Sequence[str]) -> int:
+    """Index of the line that gives a key, or the first key of a table; 0 where none does."""
+    for given in (f"; {key} = ", f"; printer.{key} = ", f"; {key}.", f"; printer.{key}."):
+        for index, line in enumerate(lines):
+            if line.startswith(given):
+                return index
+    return 0

@@ -11,6 +11,8 @@ from typing import Final
 
 from wireprint._core import GcodeError, bgcode_text
 
+#: The way out where a file holds none.
+NO_GCODE: Final = "if it is a model, slice it first (wireprint slice)"
 #: What G-code in memory is called.
 TEXT: Final = "the text"
 #: Files that are no text, and can be read all the same.
@@ -73,7 +75,7 @@ def kind_of(source: str | os.PathLike[str]) -> str | None:
     if head.startswith(_GZIP):
         return "it is packed by gzip; unpack it first (gunzip)"
     if b"\0" in head:
-        return "nothing in it is G-code: it holds zeros, as no text does"
+        return f"nothing in it is G-code: it holds zeros, as no text does; {NO_GCODE}"
     return None
 
 
@@ -83,7 +85,7 @@ def _unpacked(name: str) -> bytes:
         with zipfile.ZipFile(name) as archive:
             plates = [info for info in archive.infolist() if _PLATE.fullmatch(info.filename)]
             if not plates:
-                msg = f"{name}: a zip archive, and nothing in it is G-code; was it sliced?"
+                msg = f"{name}: a zip archive, and nothing in it is G-code; {NO_GCODE}"
                 raise GcodeError(msg)
             if len(plates) > 1:
                 names = ", ".join(info.filename for info in plates)
@@ -94,7 +96,7 @@ def _unpacked(name: str) -> bytes:
             with archive.open(plate) as part:
                 text = part.read(most + 1)
     except (zipfile.BadZipFile, zlib.error, OSError, RuntimeError, NotImplementedError) as error:
-        raise GcodeError(f"{name}: a damaged zip archive: {error}") from None
+        raise GcodeError(f"{name}: a damaged zip archive: {error}; write it again") from None
     if len(text) > most:
         raise GcodeError(f"{name}: {plate.filename} is larger than any G-code; unzip it first")
     return text
