@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from wireprint.certificate import Certificate
     from wireprint.gcode.document import Thumbnail
     from wireprint.hybrid.prove import Proved
+    from wireprint.hybrid.sketch import Sketch
     from wireprint.orientation import Orientation
     from wireprint.regions import Region
     from wireprint.remedies import Remedy
@@ -75,6 +76,13 @@ class WirePrint:
     #: Where it gives way too easily while it grows; None where that was not asked for, or is too
     #: much work to find out.
     weak: tuple[Weak, ...] | None = None
+
+    @property
+    def sketch(self) -> Sketch:
+        """What marks do not change, to be kept for the next print."""
+        if self.regions is not None:
+            return self.regions.plan.sketch
+        return _sketch(self.mesh, self.wireframe, self.settings)
 
     def figures(self) -> dict[str, Any]:
         """Tell what people want to know, under the keys of ``wireprint slice --json``."""
@@ -137,6 +145,7 @@ def make(
     partial: bool = False,
     oversize: bool = False,
     weak: bool = False,
+    kept: Sketch | None = None,
 ) -> WirePrint:
     """Turn a mesh into a wire print.
 
@@ -166,6 +175,9 @@ def make(
         Whether a print is wanted that leaves the build volume.
     weak
         Whether to find out where the print gives way too easily while it grows.
+    kept
+        `WirePrint.sketch` of an earlier print of the same mesh with the same settings, which was
+        not oriented: the print is the same without it, but takes longer.
 
     Raises
     ------
@@ -196,17 +208,16 @@ def make(
     place = placed(mesh, settings) if oversize else fitted(mesh, settings)
     mesh = place.mesh
     with clock.stage("wireframe"):
-        strands = wireframe(mesh, settings)
+        strands = wireframe(mesh, settings) if kept is None else kept.plain
     regions = None
     if region:
         from wireprint.hybrid.motion import motion
         from wireprint.hybrid.prove import proved
-        from wireprint.hybrid.sketch import Sketch
 
         with clock.stage("regions"):
             x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
             moved = region.transformed(motion(given, mesh, (x, y, z + place.turn_deg)))
-            regions = proved(Sketch(mesh, strands, settings), moved)
+            regions = proved(kept or _sketch(mesh, strands, settings), moved)
             strands = regions.wireframe
     if not strands.strand_count:
         left_out = report.unprinted(strands.unprinted, None, settings)
@@ -244,6 +255,12 @@ def make(
     if certificate is not None and not partial and not is_whole(certificate, settings):
         raise refusal(certificate, made.unprinted(), settings, attempt)
     return made
+
+
+def _sketch(mesh: Mesh, plain: Wireframe, settings: Settings) -> Sketch:
+    from wireprint.hybrid.sketch import Sketch
+
+    return Sketch(mesh, plain, settings)
 
 
 def to_gcode(

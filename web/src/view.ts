@@ -35,6 +35,8 @@ const REST_MS = 160;
 const FLIGHT_MS = 420;
 /** Samples along a pixel's edge in a picture that rests: strands have no other smoothing. */
 const FINE = 2;
+/** Larger pictures are drawn with fewer samples. */
+const MOST_PIXELS = 16e6;
 
 export class View {
   readonly scene = new Scene();
@@ -204,7 +206,8 @@ export class View {
   private draw(scale: number): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !height) return;
-    const ratio = scale > 1 ? Math.max(devicePixelRatio, scale) : devicePixelRatio * scale;
+    const most = Math.sqrt(MOST_PIXELS / (width * height));
+    const ratio = Math.min(scale > 1 ? Math.max(devicePixelRatio, scale) : devicePixelRatio * scale, most);
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
     const size = this.renderer.getSize(new Vector2());
     if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from wireprint._core import Mesh
     from wireprint.certificate import Certificate
+    from wireprint.hybrid.sketch import Sketch
     from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -41,6 +42,8 @@ class Printing:
         Written into the file.
     on_stage
         Called before each stage; it may raise to give up.
+    kept
+        `sketch` of an earlier print of the same mesh with the same settings.
 
     Raises
     ------
@@ -55,6 +58,7 @@ class Printing:
         region: Region,
         date: datetime,
         on_stage: Callable[[str], None],
+        kept: Sketch | None = None,
     ) -> None:
         begin = time.perf_counter()
         self._mesh, self._region, self._on_stage = mesh, region, on_stage
@@ -66,9 +70,11 @@ class Printing:
             clock=Clock(on_stage),
             compare=False,
             partial=True,
+            kept=kept,
         )
         self._made_s = time.perf_counter() - begin
         self.gcode = self._made.gcode
+        self.sketch = self._made.sketch
 
     @property
     def refused(self) -> str:
@@ -99,6 +105,12 @@ class Printing:
         yield "paint", encoded({"event": "paint"}, {"corners": self._painted()})
         self._on_stage("rest")
         yield "rest", encoded(self._rest())
+
+    def prepare(self) -> None:
+        """Make what the next stroke will ask for, while nobody waits for it."""
+        for part in ("samples", "strips", "level", "touchable"):
+            self._on_stage(part)
+            getattr(self.sketch, part)
 
     @property
     def _certificate(self) -> Certificate:

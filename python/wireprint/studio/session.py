@@ -18,7 +18,7 @@ from wireprint.regions import Region, document
 from wireprint.regions.document import MarkEntry
 from wireprint.studio import messages
 from wireprint.studio.answer import encoded
-from wireprint.studio.sketch import Sketch
+from wireprint.studio.history import History
 from wireprint.studio.watch import Watch
 from wireprint.text import one_line
 
@@ -26,9 +26,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from wireprint._core import Mesh
+    from wireprint.hybrid.sketch import Sketch
     from wireprint.regions import Mark
     from wireprint.settings import Settings
-    from wireprint.studio.sketch import Item, State
+    from wireprint.studio.history import Item, State
     from wireprint.studio.source import Source
 
 #: Prints that are kept for undo and redo, bytes in all.
@@ -59,7 +60,7 @@ class _Printed:
 
 
 class Session:
-    """A model with its sketch, and the thread that prints it.
+    """A model with its history, and the thread that prints it.
 
     Parameters
     ----------
@@ -71,13 +72,15 @@ class Session:
 
     def __init__(self, source: Source, tell: Callable[[str, bytes], None]) -> None:
         self._source, self._tell_all = source, tell
-        self._sketch: Sketch | None = None
+        self._history: History | None = None
         self._mesh: Mesh | None = None
         self._revision = 0
         self._done = -1
         self._stale = True
         self._stopped = False
         self._lasting: dict[str, bytes] = {}
+        #: Mesh and settings of the last print, and what it kept for the next one.
+        self._sketch: tuple[Mesh, Settings, Sketch] | None = None
         self._kept: OrderedDict[int, _Printed] = OrderedDict()
         #: Guards all of the above; told whenever one of them changes.
         self._changed = threading.Condition(threading.RLock())
@@ -143,34 +146,34 @@ class Session:
                 return encoded({**head, **self._edited(message)})
 
     def _edited(self, message: messages.Message) -> dict[str, Any]:
-        """Change the sketch, and ask for a new print."""
+        """Change the history, and ask for a new print."""
         found: dict[str, Any] = {}
         with self._changed:
-            sketch = self._ready()
-            before = sketch.state
+            history = self._ready()
+            before = history.state
             match message:
                 case messages.AddMark():
-                    found["number"] = sketch.add(_mark(message.mark), message.name)
+                    found["number"] = history.add(_mark(message.mark), message.name)
                 case messages.ChangeMark(number=number, mark=entry, name=name, on=on):
-                    sketch.change(number, None if entry is None else _mark(entry), name, on)
+                    history.change(number, None if entry is None else _mark(entry), name, on)
                 case messages.MoveMark():
-                    sketch.move(message.number, message.to)
+                    history.move(message.number, message.to)
                 case messages.DeleteMark():
-                    sketch.delete(message.number)
+                    history.delete(message.number)
                 case messages.Undo():
-                    sketch.undo()
+                    history.undo()
                 case messages.Redo():
-                    sketch.redo()
+                    history.redo()
                 case messages.Set():
-                    sketch.set(message.key, message.value)
+                    history.set(message.key, message.value)
                 case messages.Profile():
                     _known("printers", message.printer)
                     _known("materials", message.material)
-                    sketch.profile(message.printer, message.material)
-            if sketch.state is not before:
+                    history.profile(message.printer, message.material)
+            if history.state is not before:
                 self._revision += 1
-                self._tell_state(sketch)
-                self._show_kept(sketch.state)
+                self._tell_state(history)
+                self._show_kept(history.state)
                 self._changed.notify_all()
             return found | {"revision": self._revision}
 
@@ -182,10 +185,10 @@ class Session:
                 self._tell_print(self._revision, event, content)
             self._done = self._revision
 
-    def _ready(self) -> Sketch:
-        if self._sketch is None:
+    def _ready(self) -> History:
+        if self._history is None:
             raise SettingError("the model is not read yet")
-        return self._sketch
+        return self._history
 
     def _exported(self, message: messages.Export) -> tuple[str, bytes]:
         """Return a file's name and content.
@@ -197,14 +200,14 @@ class Session:
         """
         stem = one_line(self._source.path.stem)
         with self._changed:
-            sketch, mesh = self._ready(), self._mesh
-            state, settings = sketch.state, sketch.settings
+            history, mesh = self._ready(), self._mesh
+            state, settings = history.state, history.settings
             if message.kind == "strokes":
                 return f"{stem}.strokes.json", document.to_json(state.region)
             if message.kind == "project":
                 from wireprint.project import project_bytes
 
-                assert mesh is not None, "a sketch has a mesh"  # noqa: S101
+                assert mesh is not None, "a history has a mesh"  # noqa: S101
                 return f"{stem}.3mf", project_bytes(mesh, settings, state.region)
             wanted = self._revision
             self._changed.wait_for(lambda: self._done >= wanted or self._stopped, _PATIENCE_S)
@@ -225,22 +228,22 @@ class Session:
         """Say something about the model's file; nothing takes back what was said before."""
         self._tell("notice", encoded({"event": "notice", "words": words}))
 
-    def _tell_state(self, sketch: Sketch) -> None:
+    def _tell_state(self, history: History) -> None:
         from wireprint.studio import panel
 
-        state, settings = sketch.state, sketch.settings
+        state, settings = history.state, history.settings
         bed, head = settings.printer.bed, settings.printer.head
         told = {
             "event": "state",
             "revision": self._revision,
             "items": [_told(item) for item in state.items],
-            "can_undo": sketch.can_undo,
-            "can_redo": sketch.can_redo,
+            "can_undo": history.can_undo,
+            "can_redo": history.can_redo,
             "printer": settings.printer.name,
             "material": settings.material.name,
             "settings": panel.values(settings),
             "automatic": panel.automatic(settings),
-            "differs": panel.differing(settings, sketch.profiles_settings()),
+            "differs": panel.differing(settings, history.profiles_settings()),
             "bed": {"round": bed.shape == "round", "size_mm": bed.size_mm, "high": bed.height_mm},
             "head": head.model_dump(mode="json"),
         }
@@ -278,9 +281,7 @@ class Session:
                 # The window outlives a fault, and says so.
                 traceback.print_exc(file=sys.stderr)
                 self._failed(revision, f"unexpected {type(error).__name__}: a fault of wireprint")
-            with self._changed:
-                self._done = max(self._done, revision)
-                self._changed.notify_all()
+            self._finish(revision)
 
     def _read(self) -> None:
         from wireprint import report
@@ -302,17 +303,17 @@ class Session:
         with self._changed:
             self._mesh = mesh
             self._kept.clear()
-            if self._sketch is None:
-                self._sketch = Sketch(partial(self._source.compose, model.settings), model.region)
+            if self._history is None:
+                self._history = History(partial(self._source.compose, model.settings), model.region)
             self._notice("")
             self._tell("model", encoded(head, arrays))
-            self._tell_state(self._sketch)
+            self._tell_state(self._history)
 
     def _print(self, revision: int) -> None:
         with self._changed:
-            if self._sketch is None or self._mesh is None:
+            if self._history is None or self._mesh is None:
                 return
-            mesh, state, settings = self._mesh, self._sketch.state, self._sketch.settings
+            mesh, state, settings = self._mesh, self._history.state, self._history.settings
         try:
             self._make(revision, mesh, state, settings)
         except WireprintError as error:
@@ -323,13 +324,32 @@ class Session:
         from wireprint.studio.printing import Printing
 
         printing = Printing(
-            mesh, settings, state.region, self._source.dated(), lambda _: self._current(revision)
+            mesh,
+            settings,
+            state.region,
+            self._source.dated(),
+            lambda _: self._current(revision),
+            self._sketch_of(mesh, settings),
         )
+        self._sketch = mesh, settings, printing.sketch
         printed = _Printed(state, printing.gcode, printing.refused, {})
         for event, content in printing.events():
             printed.told[event] = content
             self._tell_print(revision, event, content)
         self._keep(printed)
+        self._finish(revision)
+        printing.prepare()
+
+    def _sketch_of(self, mesh: Mesh, settings: Settings) -> Sketch | None:
+        """Return what was kept of a print of the same mesh with the same settings."""
+        if self._sketch is None or self._sketch[0] is not mesh or self._sketch[1] is not settings:
+            return None
+        return self._sketch[2]
+
+    def _finish(self, revision: int) -> None:
+        with self._changed:
+            self._done = max(self._done, revision)
+            self._changed.notify_all()
 
     def _tell_print(self, revision: int, event: str, content: bytes) -> None:
         with self._changed:

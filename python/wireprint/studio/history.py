@@ -54,7 +54,7 @@ class State:
         return Region(tuple(item.mark for item in self.items if item.on))
 
 
-class Sketch:
+class History:
     """The states of a window, and the one that is shown.
 
     Parameters
@@ -166,13 +166,24 @@ class Sketch:
 
     def _go(self, state: State) -> None:
         # Settings that are refused leave everything as it is.
-        settings = self._settings_of(state)
+        settings = self._settings_after(state)
         self._past.append(self._state)
         self._future.clear()
         self._state, self.settings = state, settings
 
     def _show(self, state: State) -> None:
-        self._state, self.settings = state, self._settings_of(state)
+        self._state, self.settings = state, self._settings_after(state)
+
+    def _settings_after(self, state: State) -> Settings:
+        """Return a state's settings: the very same object where they do not change."""
+        now = self._state
+        if (state.printer, state.material, state.changed) == (
+            now.printer,
+            now.material,
+            now.changed,
+        ):
+            return self.settings
+        return self._settings_of(state)
 
     def _settings_of(self, state: State) -> Settings:
         return self._compose(state.printer, state.material, dict(state.changed))
