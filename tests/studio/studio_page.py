@@ -42,18 +42,35 @@ class Window:
         )
         self.url = self.process.stdout.readline().strip()
         self.port = int(re.search(r":(\d+)/", self.url)[1])
-        self.requests, self.faults = [], []
+        self.requests, self.faults, self._pages = [], [], []
 
     def close(self):
         self.process.terminate()
         self.process.wait()
         self.process.stdout.close()
 
-    def page(self, *, width=1280, height=800, **context):
+    def clear(self):
+        """Take back all that pages did, and close them."""
+        for page in self._pages:
+            page.evaluate(
+                """async () => {
+                    while (store.state.value.can_undo) {
+                        const { revision } = store.state.value;
+                        await studio.edit({ do: "undo" });
+                        while (store.state.value.revision === revision)
+                            await new Promise((done) => setTimeout(done, 5));
+                    }
+                }"""
+            )
+            page.context.close()
+        self._pages, self.requests, self.faults = [], [], []
+
+    def page(self, *, width=1000, height=640, **context):
         """Open a page; wait for its first print."""
         page = self.browser.new_context(
             viewport={"width": width, "height": height}, **context
         ).new_page()
+        self._pages.append(page)
         page.on("request", lambda request: self.requests.append(request.url))
         page.on("pageerror", lambda error: self.faults.append(str(error)))
         page.on(

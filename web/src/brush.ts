@@ -52,7 +52,7 @@ export class Brush {
     store.tool.subscribe(() => this.hover(null));
     store.radiusMm.subscribe((radius) => {
       this.ring.scale.setScalar(radius);
-      view.redraw();
+      view.stir();
     });
   }
 
@@ -188,7 +188,7 @@ export class Brush {
 
   private show(): void {
     this.view.surface.preview([...this.sent, ...this.finished, ...(this.stroke ? [this.stroke] : [])]);
-    this.view.redraw();
+    this.view.stir();
   }
 
   /** Draws the brush where it would paint. */
@@ -199,7 +199,7 @@ export class Brush {
       this.ring.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), hit.facing);
       this.ring.material.color.copy(store.tool.value === "erase" ? palette().breach : palette().accent);
     }
-    this.view.redraw();
+    this.view.stir();
   }
 
   private pick(event: PointerEvent): Hit | null {

@@ -90,7 +90,7 @@ export class Handles {
       this.outline.material.color.copy(colour);
       this.setKnobs(colour);
     }
-    this.view.redraw();
+    this.view.stir();
   }
 
   private setKnobs(colour: Color): void {

@@ -54,9 +54,8 @@ export class View {
   private readonly sphere = new Sphere(new Vector3(0, 0, 40), 80);
   private flight: { from: [Vector3, Vector3]; to: [Vector3, Vector3]; begin: number } | null = null;
   private coarse = 1;
-  private fine = false;
   private asked = 0;
-  private lastMs = 0;
+  private askedMs = 0;
   private movedMs = 0;
   private resting = 0;
 
@@ -68,7 +67,7 @@ export class View {
     this.controls.screenSpacePanning = true;
     this.controls.zoomToCursor = true;
     this.controls.minDistance = 2;
-    this.controls.addEventListener("change", () => this.moved());
+    this.controls.addEventListener("change", () => this.stir());
     this.breaches = new Points(
       new BufferGeometry(),
       new PointsMaterial({ size: 13, sizeAttenuation: false, depthTest: false, transparent: true, map: disc() }),
@@ -136,6 +135,7 @@ export class View {
 
   redraw(): void {
     if (this.asked) return;
+    this.askedMs = performance.now();
     this.asked = requestAnimationFrame((timeMs) => this.tick(timeMs));
   }
 
@@ -164,7 +164,8 @@ export class View {
     this.redraw();
   }
 
-  private moved(): void {
+  /** Redraws as something moves: as finely as keeps up with the hand, and finely once it rests. */
+  stir(): void {
     this.movedMs = performance.now();
     this.redraw();
   }
@@ -182,10 +183,8 @@ export class View {
     this.advanceFlight(timeMs);
     const playing = this.onFrame(timeMs);
     const moving = playing || this.flight !== null || timeMs - this.movedMs < REST_MS;
-    if (moving) this.pace(timeMs);
-    this.lastMs = moving ? timeMs : 0;
-    this.fine = !moving;
-    this.draw(this.fine ? FINE : this.coarse);
+    if (moving) this.pace();
+    this.draw(moving ? this.coarse : FINE);
     if (playing || this.flight) this.redraw();
     else if (moving) {
       clearTimeout(this.resting);
@@ -193,14 +192,12 @@ export class View {
     }
   }
 
-  /** Draws coarser if frames come slowly, finer if they come fast. */
-  private pace(timeMs: number): void {
-    if (!this.lastMs) return;
-    const took = timeMs - this.lastMs;
-    if (took > 400) return;
+  /** Draws coarser if a frame that was asked for came late, finer if they come at once. */
+  private pace(): void {
+    const took = performance.now() - this.askedMs;
     this.drawn.motionMs = took;
-    if (took > SLOW_MS) this.coarse = Math.max(this.coarse / 1.3, COARSEST);
-    else if (took < SLOW_MS / 1.6) this.coarse = Math.min(this.coarse * 1.1, 1);
+    if (took > SLOW_MS) this.coarse = Math.max(this.coarse / Math.min(took / SLOW_MS, 2), COARSEST);
+    else if (took < SLOW_MS / 1.6) this.coarse = Math.min(this.coarse * 1.1, FINE);
   }
 
   private draw(scale: number): void {
