@@ -14,7 +14,7 @@ from wireprint.gcode.flavors import FLAVORS
 
 if TYPE_CHECKING:
     from wireprint._core import Mesh, Toolpath, Wireframe, _Layered
-    from wireprint.settings import Settings
+    from wireprint.settings import Printer, Settings
 
 
 def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -> Wireframe:
@@ -52,6 +52,7 @@ def _of_wire(settings: Settings) -> dict[str, object]:
         "first_layer_height_mm": settings.first_layer_height_mm,
         "print_mm_s": settings.print_mm_s,
         "pause_s": settings.pause_s,
+        "times": _times(settings),
         "supports": settings.wire.supports == "wire",
     }
 
@@ -92,8 +93,32 @@ def _of_path(settings: Settings) -> dict[str, object]:
         "layer_mm_s": min(regions.print_mm_s, _melting_mm_s(settings)),
         "cooling": "halting_valve" if halts else cooling,
         "pause_s": settings.pause_s,
+        # A pause that was asked for is kept.
+        "climb": _climb(printer) if settings.wire.pause_s is None else None,
         "pressure_advance": flavor.pressure_advance(printer.gcode),
         "layer_retract_over_mm": regions.retract_over_mm,
+    }
+
+
+def _climb(printer: Printer) -> dict[str, float]:
+    """Return how fast the head rises, as the firmware has it."""
+    motion = printer.motion
+    if printer.gcode.flavor == "klipper" or motion.marlin is None:
+        return {"mm_s": motion.max_z_velocity, "mm_s2": motion.max_z_accel}
+    return {"mm_s": motion.marlin.max_velocity[2], "mm_s2": motion.marlin.max_accel[2]}
+
+
+def _times(settings: Settings) -> dict[str, float]:
+    """Return how long the head takes, so that orders of printing can be compared."""
+    extruder, travel_mm_s = settings.printer.extruder, settings.printer.speeds.travel_mm_s
+    filament_s = extruder.retract_mm / extruder.retract_speed_mm_s
+    filament_s += extruder.retract_mm / extruder.unretract_speed_mm_s
+    lifts_mm_s = min(travel_mm_s, _climb(settings.printer)["mm_s"])
+    return {
+        "print_mm_s": settings.print_mm_s,
+        "travel_mm_s": travel_mm_s,
+        "pause_s": settings.pause_s,
+        "hop_s": filament_s + 2 * settings.wire.travel_lift_mm / lifts_mm_s,
     }
 
 

@@ -10,7 +10,7 @@ use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe::place::posts::{
     Candidate, Post, PostParams, leads_down, place, reachable,
 };
-use wireprint_core::wireframe::place::tuning::{ALIGN, EVEN, LONE};
+use wireprint_core::wireframe::place::tuning::{ALIGN, CLOSE, EVEN, LONE};
 
 fn head() -> Head {
     Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 40.0).unwrap()
@@ -45,6 +45,10 @@ fn candidates(curve: &Curve, places: &[(f64, f64, f64)], height: f64) -> Vec<Can
 fn cost(curve: &Curve, chain: &[&Candidate], p: &PostParams, widest: f64) -> Option<f64> {
     let even = |arc: f64, c: &Candidate| EVEN * (arc / p.ideal.max(c.spacing) - 1.0).powi(2);
     let over = |arc: f64| ((arc - p.span_limit).max(0.0) / p.ideal).powi(2);
+    let close = |arc: f64, post: &Post| {
+        let paper = p.strokes.paper_run(post.peak.z - post.base.z);
+        CLOSE * (1.0 - arc / paper).max(0.0).powi(2)
+    };
     let unit = p.ideal * p.chord_error * p.chord_error;
     let mut sum = 0.0;
     for pair in chain.windows(2) {
@@ -57,7 +61,7 @@ fn cost(curve: &Curve, chain: &[&Candidate], p: &PostParams, widest: f64) -> Opt
             return None;
         }
         sum += even(arc, a) + over(arc) + a.station.chord_error(&b.station) / unit;
-        sum += ALIGN * (b.offset / p.ideal).powi(2);
+        sum += ALIGN * (b.offset / p.ideal).powi(2) + close(arc, &b.post);
         sum += if leads_down(&p.strokes, &a.post, &b.post) { 0.0 } else { LONE };
     }
     let (first, last) = (chain[0], chain[chain.len() - 1]);
@@ -70,7 +74,8 @@ fn cost(curve: &Curve, chain: &[&Candidate], p: &PostParams, widest: f64) -> Opt
         return None;
     }
     let end = curve.station(0.0, curve.length());
-    Some(sum + even(rest, last) + over(rest) + last.station.chord_error(&end) / unit)
+    let back = even(rest, last) + over(rest) + close(rest, &first.post);
+    Some(sum + back + last.station.chord_error(&end) / unit)
 }
 
 /// The cheapest chain of at least two posts from the first candidate on, by trying all of them.

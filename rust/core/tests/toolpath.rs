@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use wireprint_core::strand::{Kind, Strand};
 use wireprint_core::toolpath::{
-    Advance, Cooling, PathParams, Plate, Strategy as Holding, Toolpath, toolpath,
+    Advance, Climb, Cooling, PathParams, Plate, Strategy as Holding, Toolpath, toolpath,
 };
 
 /// A 0.7 mm strand from 1.75 mm filament, nothing on the bed but the print.
@@ -22,6 +22,7 @@ const PARAMS: PathParams = PathParams {
     strategy: Holding::Pause,
     cooling: Cooling::Valve,
     pause: 1.2,
+    climb: None,
     overshoot: 0.5,
     pressure_lag: 0.0,
     advance: Advance::None,
@@ -198,6 +199,41 @@ fn a_pause_ends_every_floating_stroke_and_nothing_else() {
         let expected = if m.kind == Kind::Post { PARAMS.pause } else { 0.0 };
         assert!((m.pause - expected).abs() < 1e-12, "{m:?}");
     }
+}
+
+#[test]
+fn what_rises_slowly_has_cooled_on_the_way() {
+    let pauses = |speed: f64, accel: f64| -> Vec<(f64, f64)> {
+        let p = PathParams { climb: Some(Climb { speed, accel }), ..PARAMS };
+        let posts = plan(&fence(), &p).into_iter().filter(|m| m.kind == Kind::Post);
+        posts.map(|m| (m.pause, m.length())).collect()
+    };
+    // Six diameters at 5 mm/s in place of 30.
+    let late: f64 = 6.0 * 0.7 * (1.0 / 5.0 - 1.0 / 30.0);
+    for (pause, _) in pauses(5.0, 1e9) {
+        assert!((pause - (PARAMS.pause - late.min(0.5 * PARAMS.pause))).abs() < 1e-6, "{pause}");
+    }
+    // As fast as it prints, but it must brake: √(2s/a) for the last of the way.
+    let late = (2.0 * 4.2 / 100.0_f64).sqrt() - 4.2 / 30.0;
+    for (pause, _) in pauses(30.0, 100.0) {
+        assert!((pause - (PARAMS.pause - late)).abs() < 1e-9, "{pause}");
+    }
+    // No machine waits longer than the strand needs, nor less than half of it.
+    for (speed, accel) in [(200.0, 1e5), (30.0, 1e9), (0.1, 1.0)] {
+        for (pause, length) in pauses(speed, accel) {
+            assert!((0.5 * PARAMS.pause..=PARAMS.pause).contains(&pause), "{pause} {length}");
+        }
+    }
+}
+
+#[test]
+fn level_strokes_keep_their_pause_on_a_slow_axis() {
+    let mut tie = strand([0.0, 0.0, 6.0], [5.0, 0.0, 6.0], Kind::Cap);
+    tie.floating = true;
+    let climb = Some(Climb { speed: 5.0, accel: 30.0 });
+    let path = plan(&[tie], &PathParams { climb, ..PARAMS });
+    let dwells: Vec<f64> = path.iter().map(|m| m.pause).filter(|&s| s > 0.0).collect();
+    assert_eq!(dwells, [PARAMS.pause]);
 }
 
 #[test]

@@ -133,7 +133,7 @@ proptest! {
         let ends = walls.clone().map(|wall| wall.station(0.0, 1.05 * wall.length()));
         let home = (walls[0].length(), ends);
         let p = params(height);
-        let widest = 2.2 * p.run;
+        let widest = 1.8 * p.run;
         let count = places.len() - 1;
         let within = |way: &[usize]| {
             let strokes = way.windows(2).all(|w| places[w[1]].along - places[w[0]].along <= widest);

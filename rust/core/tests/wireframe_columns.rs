@@ -11,7 +11,7 @@ use wireprint_core::geometry::polygon::contains;
 use wireprint_core::head::Head;
 use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::heights::HeightParams;
-use wireprint_core::wireframe::params::{Pattern, WireParams};
+use wireprint_core::wireframe::params::{Pattern, Times, WireParams};
 use wireprint_core::wireframe::place::zigzag::Placement;
 use wireprint_core::wireframe::plan::columns::{Need, add};
 use wireprint_core::wireframe::plan::sliced::{Sliced, slice_model};
@@ -46,6 +46,7 @@ fn wire() -> WireParams {
         cap_spacing: 6.0,
         span_limit: 65.0,
         free_end_limit: 20.0,
+        times: Times { print_speed: 30.0, travel_speed: 150.0, pause: 1.0, hop: 0.3 },
     }
 }
 

@@ -68,12 +68,14 @@ impl Level {
     }
 }
 
-/// Candidate heights lie about this far apart, mm …
-const STEP: f64 = 0.5;
+/// Candidate heights lie about this part of the longest free end apart: 0.5 of 20 mm. Halved, the choice
+/// takes four times as long and gains little …
+const STEP: f64 = 0.025;
 /// … but there are no more than about this many.
 const MOST_CANDIDATES: f64 = 400.0;
-/// Fine for a skipped feature, seconds per mm of its size.
-const SKIP_FINE: f64 = 20.0;
+/// Fine, in seconds, for a skipped feature as large as the longest free end; others in proportion.
+/// Doubled, more features get a slice of their own, and slabs are lower.
+const SKIP_FINE: f64 = 400.0;
 /// A feature's size counts up to this many greatest slabs.
 const LARGEST: f64 = 4.0;
 /// Fine, in seconds, for a contour that stands on fewer than three posts: times the square of the
@@ -81,8 +83,14 @@ const LARGEST: f64 = 4.0;
 const WOBBLE_FINE: f64 = 4.0;
 /// Walls that lean more than this part of the longest free end are fined …
 const LEAN: f64 = 0.4;
-/// … by so many seconds per mm².
-const LEAN_FINE: f64 = 0.2;
+/// … by so many seconds for as much as the square of that end. Doubled, slabs under overhangs are lower.
+const LEAN_FINE: f64 = 80.0;
+/// Fine, in seconds, for a slab as high as the longest free end, with the square of its height: of
+/// chains that cost the same the more even one is taken.
+const HEIGHT_FINE: f64 = 0.4;
+/// Turning is measured between strokes of at least this part of the longest free end: 1.5 of 20 mm, so that
+/// the noise of a scan does not count.
+const STROKE: f64 = 0.075;
 /// Fine, in seconds, for a slab lower than the least height (only where nothing else fits).
 const LOW_FINE: f64 = 1e4;
 /// Costs of the slabs below this many candidates are worth a thread of their own.
@@ -191,7 +199,7 @@ fn wanted_heights(mesh: &Mesh, bottom: f64, top: f64, p: &HeightParams) -> Vec<W
 /// First and last height, the wanted ones, and between each two an even grid together with every
 /// even division that the bounds allow; halfway between those that one level must hold.
 fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec<f64> {
-    let step = STEP.max((last - first) / MOST_CANDIDATES);
+    let step = (STEP * p.free_end).max((last - first) / MOST_CANDIDATES);
     let mut stops = vec![first];
     stops.extend(wanted.iter().map(|w| w.low).filter(|&z| z > first + 1e-3 && z < last - 1e-3));
     stops.push(last);
@@ -223,12 +231,12 @@ struct Outline {
 }
 
 impl Outline {
-    fn new(loops: &[Loop], strand: f64) -> Self {
+    fn new(loops: &[Loop], strand: f64, free_end: f64) -> Self {
         let mut outline = Self { lengths: Vec::new(), length: 0.0, turning: 0.0 };
         for l in loops {
             let length = perimeter(l);
             outline.length += length;
-            outline.turning += smooth_turning(l);
+            outline.turning += smooth_turning(l, STROKE * free_end);
             // Loops shorter than a few strands are dots: no number of posts helps them.
             if length > 6.0 * strand {
                 outline.lengths.push(length);
@@ -246,15 +254,14 @@ fn perimeter(l: &Loop) -> f64 {
     }
 }
 
-/// Turning of a loop without its corners, rad, measured between strokes of at least 1.5 mm.
-fn smooth_turning(l: &Loop) -> f64 {
-    const STROKE: f64 = 1.5;
+/// Turning of a loop without its corners, rad, measured between strokes of at least `least` mm.
+fn smooth_turning(l: &Loop, least: f64) -> f64 {
     let mut points = l.points.iter();
     let Some(mut last) = points.next() else { return 0.0 };
     let (mut turning, mut before) = (0.0, DVec2::ZERO);
     for p in points {
         let stroke = p - last;
-        if stroke.length_squared() >= STROKE * STROKE {
+        if stroke.length_squared() >= least * least {
             turning += slight_turn(before, stroke).unwrap_or(0.0);
             (before, last) = (stroke, p);
         }
@@ -312,14 +319,16 @@ impl Costs<'_> {
         };
         let low =
             if height < p.slab_min - 1e-9 { LOW_FINE * (1.0 - height / p.slab_min) } else { 0.0 };
-        let even = 1e-3 * height * height;
+        let even = HEIGHT_FINE * (height / p.free_end).powi(2);
         let fines = self.skipped(from, to)
             + WOBBLE_FINE * 0.5 * (wobble(lower, spacing) + wobble(upper, spacing))
             + low
             + even;
         let (stray, leaning) = self.profile.deviation(from, to, LEAN * p.free_end);
         let deviation = (stray + sag) / p.deviation_target;
-        time * (1.0 + deviation * deviation) + fines + LEAN_FINE * leaning
+        time * (1.0 + deviation * deviation)
+            + fines
+            + LEAN_FINE * leaning / (p.free_end * p.free_end)
     }
 
     /// Fine for the wanted heights strictly inside.
@@ -333,7 +342,9 @@ impl Costs<'_> {
             let matters = w.wide || w.ends && below > least || w.begins && above > least;
             matters && below > reach && above > reach
         };
-        let fine = |w: &Wanted| w.size * SKIP_FINE + if is_lost(w) { LOST_FINE } else { 0.0 };
+        let fine = |w: &Wanted| {
+            w.size / self.params.free_end * SKIP_FINE + if is_lost(w) { LOST_FINE } else { 0.0 }
+        };
         inside.map(fine).sum()
     }
 }
@@ -354,8 +365,15 @@ fn cheapest_chain(
     let (bottom, top) = (heights[0], heights[heights.len() - 1]);
     let planes: Vec<Plane> = heights.iter().map(|&z| Plane { z, side: Side::Below }).collect();
     let (profile, outlines) = rayon::join(
-        || Profile::new(mesh, bottom, top, STEP.max((top - bottom) / MOST_CANDIDATES)),
-        || cut_map(mesh, &planes, |loops| Outline::new(&loops, params.strand)),
+        || {
+            Profile::new(
+                mesh,
+                bottom,
+                top,
+                (STEP * params.free_end).max((top - bottom) / MOST_CANDIDATES),
+            )
+        },
+        || cut_map(mesh, &planes, |loops| Outline::new(&loops, params.strand, params.free_end)),
     );
     let strokes = Strokes::new(head, params.strand);
     let costs = Costs { strokes, params, profile, outlines, heights, wanted };

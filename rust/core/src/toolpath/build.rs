@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::Toolpath;
 use super::bed::{brim, skirt};
-use super::mechanics::{air, airy_share, speed};
+use super::mechanics::{air, airy_share, pause, speed};
 use super::params::{PathParams, Strategy};
 use super::pressure::{Pressure, wanted};
 use crate::strand::{Kind, Strand};
@@ -166,16 +166,16 @@ impl<'a> Builder<'a> {
 
     /// Stands still at the end of a strand until it holds.
     fn pause(&mut self, strand: &Strand) {
-        let p = self.p;
+        let (p, pause) = (self.p, pause(strand, self.p));
         match self.pressure.ease() {
             // To pull filament back and to give it again takes time in which the strand holds, too.
             Some(eased) => {
                 let standing = eased * (p.retract_speed.recip() + p.unretract_speed.recip());
-                self.feed(strand, -eased, (p.pause - standing).max(p.pause / 2.0));
+                self.feed(strand, -eased, (pause - standing).max(pause / 2.0));
             }
             None => {
-                if let Some(pause) = self.path.pause.last_mut() {
-                    *pause = p.pause;
+                if let Some(last) = self.path.pause.last_mut() {
+                    *last = pause;
                 }
             }
         }

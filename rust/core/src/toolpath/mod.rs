@@ -9,7 +9,7 @@ mod pressure;
 use glam::DVec3;
 
 pub use build::toolpath;
-pub use params::{Advance, Cooling, PathParams, Plate, Strategy};
+pub use params::{Advance, Climb, Cooling, PathParams, Plate, Strategy};
 
 use crate::strand::{Kind, Strand};
 

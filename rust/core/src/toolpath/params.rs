@@ -65,6 +65,17 @@ pub enum Advance {
     None,
 }
 
+/// How fast an axis rises that is slower than the strands that it draws.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+pub struct Climb {
+    /// Greatest speed, mm/s.
+    #[serde(rename = "mm_s")]
+    pub speed: f64,
+    /// Greatest acceleration, mm/s².
+    #[serde(rename = "mm_s2")]
+    pub accel: f64,
+}
+
 /// What the toolpath depends on; lengths in mm, speeds in mm/s, times in s.
 #[derive(Debug, Clone, Copy, Deserialize)]
 pub struct PathParams {
@@ -104,6 +115,8 @@ pub struct PathParams {
     /// Pause at the end of a floating stroke under [`Strategy::Pause`].
     #[serde(rename = "pause_s")]
     pub pause: f64,
+    /// What the pause of a rising stroke may be shortened by; None where it is to be kept as it is.
+    pub climb: Option<Climb>,
     /// Way past the end of a floating stroke under [`Strategy::Overshoot`].
     #[serde(rename = "overshoot_mm")]
     pub overshoot: f64,

@@ -42,8 +42,9 @@ struct Laid {
 
 impl Laid {
     /// Whether it leaves out less than another, or costs less and does not take longer.
-    fn is_better(&self, other: &Self) -> bool {
-        let (own, other) = (cost(None, &self.entries), cost(None, &other.entries));
+    fn is_better(&self, other: &Self, p: &WireParams) -> bool {
+        let cost = |laid: &Self| cost(None, &laid.entries, p.strand, &p.times);
+        let (own, other) = (cost(self), cost(other));
         own.area < other.area
             || own.area == other.area && own.whole < other.whole && own.plain <= other.plain
     }
@@ -61,7 +62,7 @@ pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> 
     let mut found = settled(&sliced, &plan, free);
     if found.last.wanting > 0 && found.last.wanting >= sliced.strips.len() / FEW {
         let searched = settled(&sliced, &Plan { searching: true, ..plan }, free);
-        if searched.last.is_better(&found.last) {
+        if searched.last.is_better(&found.last, p) {
             found = searched;
         }
     }

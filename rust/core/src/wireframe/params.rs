@@ -14,7 +14,25 @@ pub enum Pattern {
     Peaks,
 }
 
-/// What the wireframe depends on; lengths in mm. The names of the settings are taken, too.
+/// How long the head takes; speeds in mm/s, times in s.
+#[derive(Debug, Clone, Copy, Deserialize)]
+pub struct Times {
+    /// Speed of printing.
+    #[serde(rename = "print_mm_s")]
+    pub print_speed: f64,
+    /// Speed of travelling.
+    #[serde(rename = "travel_mm_s")]
+    pub travel_speed: f64,
+    /// Pause at the end of a stroke in the air.
+    #[serde(rename = "pause_s")]
+    pub pause: f64,
+    /// What a travel takes besides its way: filament pulled back and pushed forward, the head raised and
+    /// lowered.
+    #[serde(rename = "hop_s")]
+    pub hop: f64,
+}
+
+/// What the wireframe depends on; lengths in mm.
 #[derive(Debug, Clone, Copy, Deserialize)]
 pub struct WireParams {
     /// Diameter of a strand.
@@ -37,4 +55,6 @@ pub struct WireParams {
     /// Longest stroke that ends in the air.
     #[serde(rename = "free_end_limit_mm")]
     pub free_end_limit: f64,
+    /// How long the head takes, so that orders can be compared.
+    pub times: Times,
 }

@@ -7,7 +7,7 @@ use wireprint_core::strand::Kind;
 use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe::build::build;
 use wireprint_core::wireframe::frame::Wireframe;
-use wireprint_core::wireframe::params::{Pattern, WireParams};
+use wireprint_core::wireframe::params::{Pattern, Times, WireParams};
 use wireprint_core::wireframe::place::zigzag::Placement;
 use wireprint_core::wireframe::plan::sliced::{Sliced, slice_model};
 use wireprint_core::wireframe::regions::layered::Layered;
@@ -53,6 +53,12 @@ impl Printer {
             cap_spacing: 6.0 * scale,
             span_limit: 65.0 * scale,
             free_end_limit: 20.0 * scale,
+            times: Times {
+                print_speed: 30.0 * scale,
+                travel_speed: 150.0 * scale,
+                pause: 1.0,
+                hop: 0.3,
+            },
         };
         Self { head, heights, wire }
     }

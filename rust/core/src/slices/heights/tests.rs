@@ -88,8 +88,8 @@ fn the_chain_is_the_cheapest_of_all() {
         let costs = Costs {
             strokes: Strokes::new(&head, p.strand),
             params: &p,
-            profile: Profile::new(&mesh, heights[0], height, STEP),
-            outlines: cut_map(&mesh, &planes, |loops| Outline::new(&loops, p.strand)),
+            profile: Profile::new(&mesh, heights[0], height, STEP * p.free_end),
+            outlines: cut_map(&mesh, &planes, |loops| Outline::new(&loops, p.strand, p.free_end)),
             heights: &heights,
             wanted: &wanted,
         };
@@ -178,14 +178,14 @@ fn an_outline_knows_its_length_and_its_turning_without_its_corners() {
         faces: Vec::new(),
         closed: true,
     };
-    let circle = Outline::new(&[around(64, 20.0)], 0.7);
+    let circle = Outline::new(&[around(64, 20.0)], 0.7, 20.0);
     assert!((circle.length - std::f64::consts::TAU * 20.0).abs() < 0.2);
     assert!((circle.turning - std::f64::consts::TAU).abs() < 0.25);
-    let square = Outline::new(&[around(4, 20.0)], 0.7);
+    let square = Outline::new(&[around(4, 20.0)], 0.7, 20.0);
     assert!((square.length - 4.0 * 20.0 * std::f64::consts::SQRT_2).abs() < 1e-9);
     assert_eq!(square.turning, 0.0);
     // A dot is no loop that could wobble.
-    assert!(Outline::new(&[around(8, 0.5)], 0.7).lengths.is_empty());
+    assert!(Outline::new(&[around(8, 0.5)], 0.7, 20.0).lengths.is_empty());
 }
 
 #[test]

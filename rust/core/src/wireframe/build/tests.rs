@@ -8,7 +8,7 @@ use super::*;
 use crate::mesh::Mesh;
 use crate::slices::heights::HeightParams;
 use crate::solids::{Random, cuboid, moved, together};
-use crate::wireframe::params::Pattern;
+use crate::wireframe::params::{Pattern, Times};
 use crate::wireframe::place::zigzag::Placement;
 use crate::wireframe::plan::sliced::slice_model;
 
@@ -26,6 +26,7 @@ fn wire() -> WireParams {
         cap_spacing: 6.0,
         span_limit: 65.0,
         free_end_limit: 20.0,
+        times: Times { print_speed: 30.0, travel_speed: 150.0, pause: 1.0, hop: 0.3 },
     }
 }
 
@@ -71,10 +72,11 @@ fn the_better_of_two_builds_is_kept() {
         let (plain, searched) = (build_as(false), build_as(true));
         let better = if plain.wanting > 0
             && plain.wanting >= sliced.strips.len() / FEW
-            && searched.is_better(&plain)
+            && searched.is_better(&plain, &p)
         {
             improved += 1;
-            let (before, after) = (cost(None, &plain.entries), cost(None, &searched.entries));
+            let cost = |laid: &Laid| cost(None, &laid.entries, p.strand, &p.times);
+            let (before, after) = (cost(&plain), cost(&searched));
             assert!(after.area < before.area || after.whole < before.whole);
             &searched
         } else {

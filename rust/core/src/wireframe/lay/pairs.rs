@@ -22,10 +22,11 @@ use crate::wireframe::place::zigzag::{Placement, SLACK, SPARE, Step};
 
 /// Two contours are one double wall where this share of each is near the other.
 const SHARE: f64 = 0.5;
-/// Walls nearer than this part of the clearance bar each other's diagonals.
+/// Walls nearer than this part of the clearance bar each other's diagonals. A slim head, which could do
+/// both, weaves as well what the paper's would: that takes half the posts.
 const NEAR: f64 = 0.9;
 /// Places along a wall are at most this part of a run apart.
-const PITCH: f64 = 0.2;
+const PITCH: f64 = 0.25;
 
 /// For each job, the one with which it makes a double wall.
 pub fn pairs(cx: &Context, top: &Top, jobs: &[Job], ground: &Ground) -> Vec<Option<usize>> {
@@ -35,7 +36,8 @@ pub fn pairs(cx: &Context, top: &Top, jobs: &[Job], ground: &Ground) -> Vec<Opti
         return partner;
     }
     let height = top.z - cx.sliced.levels[top.slab].z;
-    let near = NEAR * cx.head.clearance(height);
+    let least = Strokes::new(cx.head, cx.p.strand).paper_run(height);
+    let near = NEAR * cx.head.clearance(height).max(least);
     let contours = &cx.sliced.lower[top.slab + 1];
     for (i, inner) in jobs.iter().enumerate() {
         let Some(parent) = contours.get(inner.curve).and_then(|contour| contour.parent) else {

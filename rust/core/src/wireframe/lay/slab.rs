@@ -27,6 +27,14 @@ use crate::wireframe::plan::strips::Strip;
 /// A strip with more than this share of its area in plan leans more than it stands.
 const LEANING: f64 = 0.9;
 
+/// A slab as it was printed in one order.
+pub struct Printed {
+    /// What stands at its top.
+    pub ground: Ground,
+    /// How many contours, or pairs of them that are woven, took turns.
+    pub turns: usize,
+}
+
 /// Prints one slab in one order.
 pub fn slab_in(
     cx: &Context,
@@ -35,7 +43,7 @@ pub fn slab_in(
     top: &Top,
     jobs: &[Job],
     ground: &mut Ground,
-) -> Ground {
+) -> Printed {
     let (slab, z) = (top.slab, top.z);
     let layers = cx.layered.slab(slab);
     journal.begin_slab(slab as u32, layers.map_or(&[], |l| &l.lines));
@@ -46,6 +54,7 @@ pub fn slab_in(
     let mut order = Waiting::new(jobs.iter().map(|job| plans(job, ground)).collect());
     let pairs = pairs(cx, top, jobs, ground);
     let mut done = vec![false; jobs.len()];
+    let mut turns = 0;
     loop {
         let next = match &mut ranks {
             Some(ranks) => ranks.next().inspect(|&next| order.take(next)),
@@ -55,6 +64,7 @@ pub fn slab_in(
         if std::mem::replace(&mut done[next], true) {
             continue;
         }
+        turns += 1;
         let other = pairs[next].filter(|&other| !done[other]);
         let both = other.and_then(|other| {
             let found = woven(cx, journal, top, [&jobs[next], &jobs[other]], ground)?;
@@ -65,6 +75,7 @@ pub fn slab_in(
                 (&jobs[job], standing)
             }))
         });
+        let is_woven = both.is_some();
         let stand = match both {
             Some(both) => Vec::from(both),
             None => vec![(&jobs[next], posts_of(cx, journal, top, &jobs[next], ground))],
@@ -77,8 +88,8 @@ pub fn slab_in(
                 continue;
             };
             journal.note_sag(sag(curve, &standing));
-            if is_loose(cx, top, curve, &standing) || was_tied(cx, journal, curve, z) {
-                loose.push(standing);
+            if is_loose(cx, top, curve, &standing, is_woven) || was_tied(cx, journal, curve, z) {
+                loose.push((standing, is_woven));
             } else if layers.is_some() || is_in_the_way(curve, &order, top.reach) {
                 waiting.push(standing);
             } else {
@@ -92,7 +103,7 @@ pub fn slab_in(
     rings(cx, journal, top, &waiting, &mut printed);
     hang_rest(cx, journal, top, loose, &bare, &mut printed);
     join_pieces(cx, top, &mut printed);
-    printed
+    Printed { ground: printed, turns }
 }
 
 /// The contours in the order in which they are to be printed; none where that shows on the way.
@@ -131,17 +142,17 @@ fn hang_rest(
     cx: &Context,
     journal: &mut Journal,
     top: &Top,
-    loose: Vec<Standing>,
+    loose: Vec<(Standing, bool)>,
     bare: &[&Job],
     printed: &mut Ground,
 ) {
-    for standing in loose {
+    for (standing, is_woven) in loose {
         let Some(curve) = &top.curves[standing.curve] else { continue };
         // A column that stands on one leg is no less a support.
         let standing = if is_support(cx, top, standing.curve) {
             standing
         } else {
-            let wide = tie_over(cx, journal, top, curve);
+            let wide = tie_over(cx, journal, top, curve, is_woven);
             tighten(cx, journal, Flat { curve, z: top.z }, top.slab + 1, standing, printed, wide)
         };
         printed.rims[standing.curve] = Some(ring(cx, journal, top, &standing));

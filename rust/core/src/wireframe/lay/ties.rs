@@ -134,24 +134,32 @@ pub fn wide_gap(cx: &Context) -> f64 {
 }
 
 /// Whether a stretch of the contour hangs too far from posts.
-pub fn is_loose(cx: &Context, top: &Top, curve: &Curve, standing: &Standing) -> bool {
-    let limit = loose_gap(cx, top);
+pub fn is_loose(
+    cx: &Context,
+    top: &Top,
+    curve: &Curve,
+    standing: &Standing,
+    is_woven: bool,
+) -> bool {
+    let limit = loose_gap(cx, top, is_woven);
     gaps(curve, &standing.posts).any(|(_, gap)| gap > limit)
 }
 
 /// Contours with wider gaps between their posts are tied, mm.
-fn loose_gap(cx: &Context, top: &Top) -> f64 {
+fn loose_gap(cx: &Context, top: &Top, is_woven: bool) -> f64 {
     let height = top.z - cx.sliced.levels[top.slab].z;
-    cx.p.free_end_limit.max(LOOSE * Strokes::new(cx.head, cx.p.strand).run(height))
+    // By turns, each of two woven walls has a post every other run.
+    let runs = if is_woven { 2.0 * LOOSE } else { LOOSE };
+    cx.p.free_end_limit.max(runs * Strokes::new(cx.head, cx.p.strand).run(height))
 }
 
 /// Over which gaps a loose contour is tied: where the plain print does without, only beside
 /// layers.
-pub fn tie_over(cx: &Context, journal: &Journal, top: &Top, curve: &Curve) -> f64 {
+pub fn tie_over(cx: &Context, journal: &Journal, top: &Top, curve: &Curve, is_woven: bool) -> f64 {
     if cx.guide.is_empty() || was_tied(cx, journal, curve, top.z) {
         return wide_gap(cx);
     }
-    loose_gap(cx, top)
+    loose_gap(cx, top, is_woven)
 }
 
 fn spokes_key(journal: &Journal, spacing: f64) -> (u32, u64) {

@@ -9,12 +9,14 @@ use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::job::{Job, jobs};
 use crate::wireframe::lay::journal::{Entries, Journal};
 use crate::wireframe::lay::order::Order;
-use crate::wireframe::lay::slab::slab_in;
+use crate::wireframe::lay::slab::{Printed, slab_in};
 use crate::wireframe::lay::tops::Top;
 use crate::wireframe::order::cost::cost;
+use crate::wireframe::params::WireParams;
 
-/// Contours that stray less than this on average are near enough to try no other order, mm.
-const NEAR: f64 = 0.15;
+/// Contours that stray by less than this part of a strand on average are near enough to try no other
+/// order. Doubled, half as many slabs are searched.
+const NEAR: f64 = 0.2;
 /// More contours than this are tried in no other order than along a short way.
 const MOST_TO_TRY: usize = 64;
 /// Fewer contours than this have no way worth shortening.
@@ -26,7 +28,7 @@ struct Trial {
     from: Option<DVec3>,
     entries: Entries,
     below: Ground,
-    printed: Ground,
+    printed: Printed,
 }
 
 impl Trial {
@@ -37,8 +39,9 @@ impl Trial {
     }
 
     /// Whether it costs less than another.
-    fn is_better(&self, other: &Self) -> bool {
-        cost(self.from, &self.entries) < cost(other.from, &other.entries)
+    fn is_better(&self, other: &Self, p: &WireParams) -> bool {
+        let cost = |trial: &Self| cost(trial.from, &trial.entries, p.strand, &p.times);
+        cost(self) < cost(other)
     }
 }
 
@@ -63,16 +66,16 @@ pub fn slab(
     let jobs = jobs(cx, journal, top, &ground.rims);
     let settled = |printed| Slab { printed, wants_search: false };
     if !cx.guide.is_empty() {
-        return settled(slab_in(cx, journal, Order::Guided, top, &jobs, ground));
+        return settled(slab_in(cx, journal, Order::Guided, top, &jobs, ground).ground);
     }
-    let near = NEAR * top.curves.iter().flatten().map(Curve::length).sum::<f64>();
+    let near = NEAR * cx.p.strand * top.curves.iter().flatten().map(Curve::length).sum::<f64>();
     let alone = jobs.len() < 2;
     if searching && !alone {
         return settled(best_order(cx, journal, top, &jobs, ground, near));
     }
     let mark = journal.mark();
-    let printed = slab_in(cx, journal, Order::Nearest, top, &jobs, ground);
-    Slab { printed, wants_search: !alone && !journal.is_whole_since(&mark, near) }
+    let Printed { ground, turns } = slab_in(cx, journal, Order::Nearest, top, &jobs, ground);
+    Slab { printed: ground, wants_search: turns > 1 && !journal.is_whole_since(&mark, near) }
 }
 
 /// Prints a slab in the best of several orders; gives what stands at its top. A slab that is
@@ -88,7 +91,9 @@ fn best_order(
     let (mark, from) = (journal.mark(), journal.at());
     let mut best: Option<Trial> = None;
     for order in [Order::Nearest, Order::Tour, Order::InsideOut, Order::OutsideIn] {
-        let enough = |best: &Trial| best.is_whole(near) || jobs.len() > MOST_TO_TRY;
+        let enough = |best: &Trial| {
+            best.is_whole(near) || best.printed.turns < 2 || jobs.len() > MOST_TO_TRY
+        };
         let worth = order == Order::Tour && jobs.len() >= FEWEST_TO_TOUR;
         if best.as_ref().is_some_and(enough) && !worth {
             continue;
@@ -96,12 +101,12 @@ fn best_order(
         let mut below = ground.clone();
         let printed = slab_in(cx, journal, order, top, jobs, &mut below);
         let trial = Trial { from, entries: journal.rollback(&mark), below, printed };
-        if best.as_ref().is_none_or(|best| trial.is_better(best)) {
+        if best.as_ref().is_none_or(|best| trial.is_better(best, cx.p)) {
             best = Some(trial);
         }
     }
     let Some(best) = best else { return Ground::default() };
     journal.replay(top.slab as u32, best.entries);
     *ground = best.below;
-    best.printed
+    best.printed.ground
 }

@@ -13,7 +13,7 @@ use crate::geometry::curve::{Curve, Station, simplify};
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::place::rim::{Footing, Rim};
-use crate::wireframe::place::tuning::{ALIGN, EVEN, LONE};
+use crate::wireframe::place::tuning::{ALIGN, CLOSE, EVEN, LONE};
 
 /// One upward stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -172,7 +172,13 @@ fn merge_close(places: &mut Vec<(f64, Option<DVec3>)>, reach: f64) {
 #[must_use]
 pub fn leads_down(strokes: &Strokes, from: &Post, to: &Post) -> bool {
     let apart = from.peak.truncate().distance(to.base.truncate());
-    apart >= strokes.legal_run(from.peak.z - to.base.z) - ROUNDING
+    apart >= least_run(strokes, from.peak.z, to)
+}
+
+/// The least horizontal way of a diagonal from height `z` to the base of a post, mm.
+#[must_use]
+pub fn least_run(strokes: &Strokes, z: f64, to: &Post) -> f64 {
+    strokes.legal_run(z - to.base.z) - ROUNDING
 }
 
 /// Whether the head can print down from the peak of `from` to the base of `to` and up again.
@@ -291,6 +297,7 @@ impl<'a> Chain<'a> {
                 }
                 let cost =
                     bounds[i] + self.over(arc) + self.lone(i, j) + self.stray(i, &all[j].station);
+                let cost = cost + close(&self.p.strokes, arc, &all[j].post);
                 if cost < costs[j] {
                     (costs[j], before[j]) = (cost, i);
                 }
@@ -317,7 +324,12 @@ impl<'a> Chain<'a> {
         }
         let apart = rest >= last.spacing.max(home.spacing);
         let free = apart && reachable(self.head, &home.post, &last.post);
-        let cost = || uneven(rest, self.ideals[j]) + self.over(rest) + self.stray(j, &self.end);
+        let cost = || {
+            uneven(rest, self.ideals[j])
+                + self.over(rest)
+                + self.stray(j, &self.end)
+                + close(&self.p.strokes, rest, &home.post)
+        };
         (free && rest <= widest).then(cost)
     }
 
@@ -356,6 +368,13 @@ impl<'a> Chain<'a> {
 fn uneven(arc: f64, ideal: f64) -> f64 {
     let uneven = arc / ideal - 1.0;
     EVEN * uneven * uneven
+}
+
+/// Cost of a post so many mm behind another one for being nearer than the paper's.
+#[must_use]
+pub fn close(strokes: &Strokes, apart: f64, post: &Post) -> f64 {
+    let paper = strokes.paper_run(post.peak.z - post.base.z);
+    CLOSE * (1.0 - apart / paper).max(0.0).powi(2)
 }
 
 /// Spacing that divides a contour of `length` mm evenly, at least `least` mm.

@@ -1,6 +1,12 @@
 //! Weights of placing posts. Costs are counted per post; a chord that strays by the tolerated error all
 //! along costs one.
 
+/// Candidates stand at least so many strands apart, 1.2 of 0.7 mm: nearer ones differ by less than joints
+/// do. Halved, low slabs take four times as long to plan.
+pub const FINEST: f64 = 12.0 / 7.0;
+/// … and so many times as near as posts may. Doubled, posts take four times as long to place, and stand
+/// a few percent nearer to where they are wanted.
+pub const PLACES: f64 = 6.0;
 /// Weight of uneven spacing, (spacing ÷ ideal − 1)²: half a spacing too much costs as much as a chord
 /// that strays by 0.4 of what is tolerated. Doubled, corners lose posts.
 pub const EVEN: f64 = 0.6;
@@ -9,6 +15,10 @@ pub const ALIGN: f64 = 1.2;
 /// Weight of a post to which no diagonal leads: it costs a retraction, a hop and a brace. Doubled,
 /// chains rather leave corners out.
 pub const LONE: f64 = 12.0;
+/// Weight of posts nearer to each other than the paper's, (1 − spacing ÷ the paper's)²: a slim head gets
+/// there, and every post more takes its time. Doubled, slim heads print corners no better than
+/// bulky ones; without it, they print for longer.
+pub const CLOSE: f64 = 100.0;
 /// Weight of a woven wall that waits for its turn, (way ÷ two runs − 1)²: by turns it costs nothing.
 /// Doubled, weaves keep to their turns where corners want otherwise.
 pub const TURN: f64 = 6.0;

@@ -13,6 +13,7 @@ use crate::wireframe::place::posts::{
 };
 use crate::wireframe::place::rim::{Footing, Rim};
 use crate::wireframe::place::through::place_through;
+use crate::wireframe::place::tuning::{FINEST, PLACES};
 use crate::wireframe::place::walls::Walls;
 
 /// How posts are placed.
@@ -75,8 +76,6 @@ pub const SPARE: f64 = 1.03;
 const ROOM: f64 = 1.12;
 /// Walls nearer than this part of the clearance leave no room for diagonals between the posts.
 const DIAGONAL_ROOM: f64 = 0.6;
-/// Finest spacing of candidates, mm.
-const FINEST: f64 = 1.2;
 
 /// Posts of one contour in printing order, and the arc length where their chain begins: at
 /// `input.start` unless no free candidate is there.
@@ -94,7 +93,7 @@ pub fn zigzag(
         let free = posts.into_iter().filter(|post| is_free(post));
         return (start, free.map(|post| Step { post, linked: true }).collect());
     }
-    let step = FINEST.max(least / 6.0);
+    let step = (FINEST * input.strand).max(least / PLACES);
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
     let mut all = candidates(curve, z, start, input.from, rims, step, input.on_peaks);
     let mut near = crowd(input, start, &mut all, least);

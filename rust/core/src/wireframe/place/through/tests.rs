@@ -8,7 +8,7 @@ use super::*;
 use crate::solids::Random;
 use crate::stroke::Strokes;
 use crate::wireframe::place::posts::{Rank, leads_down, reachable};
-use crate::wireframe::place::tuning::{ALIGN, EVEN, LONE};
+use crate::wireframe::place::tuning::{ALIGN, CLOSE, EVEN, LONE};
 
 const HEIGHT: f64 = 4.0;
 
@@ -26,6 +26,7 @@ fn cost(curve: &Curve, chain: &[&Candidate]) -> Option<f64> {
     let p = params();
     let over = |arc: f64| ((arc - p.span_limit).max(0.0) / p.ideal).powi(2);
     let even = |arc: f64| EVEN * (arc / p.ideal - 1.0).powi(2);
+    let close = |arc: f64| CLOSE * (1.0 - arc / p.strokes.paper_run(HEIGHT)).max(0.0).powi(2);
     let unit = p.ideal * p.chord_error * p.chord_error;
     let mut sum = 0.0;
     for pair in chain.windows(2) {
@@ -36,7 +37,7 @@ fn cost(curve: &Curve, chain: &[&Candidate]) -> Option<f64> {
         let arc = b.post.s - a.post.s;
         let lone = if leads_down(&p.strokes, &a.post, &b.post) { 0.0 } else { LONE };
         sum += even(arc) + over(arc) + lone + a.station.chord_error(&b.station) / unit;
-        sum += ALIGN * (b.offset / p.ideal).powi(2);
+        sum += ALIGN * (b.offset / p.ideal).powi(2) + close(arc);
     }
     let (first, last) = (chain[0], chain[chain.len() - 1]);
     let rest = curve.length() - last.post.s;
@@ -44,7 +45,7 @@ fn cost(curve: &Curve, chain: &[&Candidate]) -> Option<f64> {
         return Some(sum + (first.post.s / p.ideal).powi(2) + (rest / p.ideal).powi(2));
     }
     let end = curve.station(0.0, curve.length());
-    let back = even(rest) + over(rest) + last.station.chord_error(&end) / unit;
+    let back = even(rest) + over(rest) + close(rest) + last.station.chord_error(&end) / unit;
     reachable(&head(), &first.post, &last.post).then_some(sum + back)
 }
 

@@ -31,13 +31,20 @@ fn circle(random: &mut Random) -> Option<Curve> {
 }
 
 /// The nearest sample of another wall, or of the wall itself farther along it than 2½ times the reach.
-fn plain(curves: &[Option<Curve>], wall: usize, s: f64, place: DVec2, reach: f64) -> f64 {
+fn plain(
+    curves: &[Option<Curve>],
+    most: f64,
+    wall: usize,
+    s: f64,
+    place: DVec2,
+    reach: f64,
+) -> f64 {
     let along = |at: f64| {
         let curve = curves[wall].as_ref().unwrap();
         let off = (at - s).abs();
         if curve.is_closed() { off.min(curve.length() - off) } else { off }
     };
-    let others = samples(curves)
+    let others = samples(curves, SAMPLE * most)
         .into_iter()
         .filter(|&(other, at, _)| other as usize != wall || along(at) > 2.5 * reach);
     let nearest = others.map(|(_, _, p)| p.distance(place)).fold(f64::INFINITY, f64::min);
@@ -58,7 +65,7 @@ fn a_gap_is_the_distance_of_the_nearest_sample_of_another_wall() {
                 let s = random.between(0.0, curve.length());
                 let reach = random.between(0.5 * most, most);
                 let (place, lap) = (curve.position(s), curve.length());
-                let wanted = plain(&curves, wall, s, place, reach);
+                let wanted = plain(&curves, most, wall, s, place, reach);
                 let turn = if curve.is_closed() { s + lap } else { s };
                 let found = walls.gap(wall, turn, place, reach);
                 assert!(

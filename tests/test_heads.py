@@ -1,0 +1,115 @@
+"""Prints follow the head: what a slimmer one gains, and what stays when all of it is scaled."""
+
+import numpy as np
+import pytest
+import trimesh
+
+from wireprint.mesh import load_mesh
+from wireprint.pipeline import make
+from wireprint.settings import Settings
+from wireprint.stages import wireframe
+
+POST, DIAGONAL = 2, 3
+#: Lengths and speeds of a profile that grow with the machine.
+GROWING = [
+    *(f"head.{name}_mm" for name in ("nozzle", "tip_radius", "cone_height", "block_radius")),
+    *(f"head.{name}_mm" for name in ("carriage_height", "carriage_radius")),
+    *(f"speeds.{name}_mm_s" for name in ("print", "travel", "first_layer")),
+    *(f"wire.{name}_mm" for name in ("span_limit", "free_end_limit", "cap_spacing")),
+    *(f"wire.{name}_mm" for name in ("deviation_target", "travel_lift")),
+]
+
+
+def tube():
+    return trimesh.creation.annulus(9, 13, 20, sections=64)
+
+
+def bracket():
+    """An upright plate on a foot, with a boss."""
+    foot = trimesh.creation.box(bounds=[(-20, -12, 0), (20, 12, 8)])
+    plate = trimesh.creation.box(bounds=[(-20, -12, 8), (-12, 12, 26)])
+    boss = trimesh.creation.cylinder(5, 10, sections=48)
+    boss.apply_translation((8, 0, 13))
+    return trimesh.util.concatenate([foot, plate, boss])
+
+
+SHAPES = {
+    "box": lambda: trimesh.creation.box((24, 18, 20)),
+    "cylinder": lambda: trimesh.creation.cylinder(12, 22, sections=64),
+    "cone": lambda: trimesh.creation.cone(14, 26, sections=48),
+    "ball": lambda: trimesh.creation.icosphere(3, 13),
+    "tube": tube,
+    "bracket": bracket,
+}
+#: From bulky to slim. Slabs are as high as the bulkiest head allows.
+HEADS = {
+    "head.slant_deg": (22, 27, 32, 44, 60),
+    "head.tip_radius_mm": (0.9, 0.7, 0.5, 0.36),
+    "head.cone_height_mm": (5, 6, 9),
+    "head.block_radius_mm": (32, 20, 12),
+}
+
+
+@pytest.fixture(scope="module")
+def stl(tmp_path_factory):
+    """Files of the shapes, made once."""
+    folder = tmp_path_factory.mktemp("shapes")
+    for name, shape in SHAPES.items():
+        shape().export(folder / f"{name}.stl")
+    return lambda name: folder / f"{name}.stl"
+
+
+def printed(model, machine, *overrides):
+    """Posts, diagonals and print time, s."""
+    settings = Settings.load(*machine, overrides=["wire.slab_max_mm=5", *overrides])
+    made = make(load_mesh(model), settings, partial=True)
+    kinds = made.wireframe.strand_kinds
+    assert made.certificate.ok
+    return np.sum(kinds == POST), np.sum(kinds == DIAGONAL), made.estimate.total_s
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("machine", [("kossel-mini", "abs"), ("prusa-mk4s", "pla")])
+def test_a_slimmer_head_takes_no_longer_for_as_many_posts(stl, shape, machine):
+    for key, values in HEADS.items():
+        last = None
+        for value in values:
+            posts, _, time_s = now = printed(stl(shape), machine, f"{key}={value}")
+            if last is not None:
+                # More posts, for finer meshes, are worth their time.
+                longest_s = 1.02 * last[2] * max(1, posts / last[0])
+                assert time_s <= longest_s, f"{shape}, {key} {value}: {now} after {last}"
+            last = now
+
+
+def scaled(machine, factor):
+    """Settings of a machine that is so many times as large, and as fast."""
+    plain = Settings.load(*machine)
+    overrides = [f"wire.pause_s={plain.pause_s}"]
+    for name in GROWING:
+        section, key = name.split(".")
+        of = plain.wire if section == "wire" else getattr(plain.printer, section)
+        overrides.append(f"{name}={getattr(of, key) * factor}")
+    overrides.append(f"extruder.max_flow_mm3_s={plain.printer.extruder.max_flow_mm3_s * factor**3}")
+    return Settings.load(*machine, overrides=overrides)
+
+
+def posts_at(model, machine, factor, scale=1.0):
+    mesh = load_mesh(model, scale=scale * factor)
+    return wireframe(mesh, scaled(machine, factor)).post_count
+
+
+@pytest.mark.parametrize("shape", ["bracket", "tube"])
+def test_a_larger_machine_prints_a_larger_part_alike(stl, shape):
+    posts = posts_at(stl(shape), ("kossel-mini", "abs"), 1.0)
+    for factor in (0.5, 0.8, 1.3, 2.0):
+        now = posts_at(stl(shape), ("kossel-mini", "abs"), factor)
+        assert now == pytest.approx(posts, rel=0.02), factor
+
+
+def test_a_larger_machine_prints_a_larger_bunny_alike(shared):
+    bunny = shared / "models" / "bunny.stl"
+    posts = posts_at(bunny, ("kossel-mini", "abs"), 1.0, 792.372)
+    for factor in (0.5, 0.8, 1.3, 2.0):
+        now = posts_at(bunny, ("kossel-mini", "abs"), factor, 792.372)
+        assert now == pytest.approx(posts, rel=0.02), factor
