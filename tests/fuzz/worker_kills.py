@@ -38,9 +38,10 @@ def kill_workers(local: LocalCluster, kills: int, seed: int, done: threading.Eve
     draw = random.Random(seed)
     left = kills
     while left and not done.wait(draw.uniform(0, WITHIN_S)):
-        nanny = draw.choice(list(local.workers.values()))
-        process = getattr(nanny.process, "process", None)
-        pid = getattr(process, "pid", None)
+        # One that is killed before it has begun is given up by its nanny.
+        known = set(local.scheduler.workers)
+        alive = [nanny for nanny in local.workers.values() if nanny.worker_address in known]
+        pid = draw.choice(alive).pid if alive else None
         if pid is not None:
             os.kill(pid, signal.SIGKILL)
             left -= 1

@@ -11,10 +11,16 @@ _PRINTER: Final = re.compile(
     re.MULTILINE,
 )
 #: Where they write their own estimate: PrusaSlicer, OrcaSlicer; Bambu Studio; Cura, in seconds.
-_TIMES: Final = (
-    re.compile(rb"^; estimated printing time \(normal mode\) = ([\d dhms]+)$", re.MULTILINE),
-    re.compile(rb"^;.*total estimated time: ([\d dhms]+)$", re.MULTILINE),
-    re.compile(rb"^;TIME:(\d+(?:\.\d+)?)\s*$", re.MULTILINE),
+_TIMES: Final = tuple(
+    (words, re.compile(pattern, re.MULTILINE))
+    for words, pattern in (
+        (
+            b"estimated printing time",
+            rb"^; estimated printing time \(normal mode\) = ([\d dhms]+)$",
+        ),
+        (b"total estimated time", rb"^;.*total estimated time: ([\d dhms]+)$"),
+        (b";TIME:", rb"^;TIME:(\d+(?:\.\d+)?)\s*$"),
+    )
 )
 #: What says more is no estimate, s: thirty years.
 _LONGEST_S: Final = 1e9
@@ -45,8 +51,9 @@ def known_printer(text: bytes) -> tuple[str, str] | None:
 
 def stated_time_s(text: bytes) -> float | None:
     """Return how long the program that wrote a file thinks it takes, s; None if it does not say."""
-    for pattern in _TIMES:
-        if match := pattern.search(text):
+    for words, pattern in _TIMES:
+        # To find words takes a hundredth of the time of a search for what is not there.
+        if words in text and (match := pattern.search(text)):
             return _seconds(match[1])
     return None
 
