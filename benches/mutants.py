@@ -132,9 +132,8 @@ def main():
     tried = len(mutants)
     share = len(alive) / max(1, tried)
     print("\n".join(["alive:", *alive]) if alive else "none is alive")
-    print(
-        f"{len(alive)} of {tried} alive ({share:.1%}); {len(drawn) - tried} are none or cannot be built"
-    )
+    none = len(drawn) - tried
+    print(f"{len(alive)} of {tried} alive ({share:.1%}); {none} cannot be made or built")
     shutil.rmtree(tree)
     sys.exit(len(alive) > options.most * tried)
 
