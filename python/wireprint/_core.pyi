@@ -36,6 +36,7 @@ __all__ = [
     "Wireframe",
     "WireprintError",
     "__version__",
+    "bgcode_text",
     "carve",
     "certify",
     "coverage",

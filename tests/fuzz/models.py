@@ -1,4 +1,6 @@
-"""Fuzz the readers of model files: ``python tests/fuzz/models.py --seconds 600 --seed 1``.
+"""Fuzz the readers of model files and of binary G-code.
+
+Run it as ``python tests/fuzz/models.py --seconds 600 --seed 1``.
 
 Valid files are damaged with their structure in mind: numbers are swapped for extreme ones, counts
 are inflated, pieces are cut out, doubled, or spliced in from other files; parts of 3MF files are
@@ -23,6 +25,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+from bgcode_files import whole
 from model_files import DIALECTS
 from threemf_files import CORE, MODEL, cube_object, item, model
 
@@ -146,6 +149,9 @@ def made(chance: random.Random) -> tuple[str, bytes]:
     """Make a damaged file: suffix and content."""
     if chance.random() < 0.35:
         return "3mf", packed(chance)
+    if chance.random() < 0.1:
+        ways = (whole(chance.randrange(4), chance.randrange(3), checked=False) for _ in range(2))
+        return "bgcode", damaged(next(ways), [next(ways)], chance)
     suffix, content = chance.choice(list(DIALECTS.values()))
     others = [other for kind, other in DIALECTS.values() if kind == suffix]
     return suffix, damaged(content, others, chance)
@@ -168,11 +174,12 @@ def packed(chance: random.Random) -> bytes:
 def serve(pipe: multiprocessing.connection.Connection) -> None:
     """Read the files that are named, and tell what became of each."""
     from wireprint._core import FaultError, WireprintError
+    from wireprint.gcode.source import read
     from wireprint.model import load_model
 
     while (path := pipe.recv()) is not None:
         try:
-            load_model(path)
+            (read if path.endswith(".bgcode") else load_model)(path)
             said = "read"
         except FaultError as error:
             said = f"FAULT {error}"
