@@ -20,7 +20,8 @@ from wireprint import view, view_styles
 from wireprint._core import Mesh
 from wireprint.model import Model
 from wireprint.regions import Box, Region, Sphere, ZRange
-from wireprint.regions.surface import marked_surface
+from wireprint.regions import surface as cutting
+from wireprint.regions.surface import marked_area, marked_surface
 from wireprint.view_html import STEPS
 
 LAYERS = view_styles.STYLES["layer-wise"].colour
@@ -52,6 +53,18 @@ def test_the_pieces_are_the_surface_and_the_region_says_which_are_marked(marks):
     middles = surface.corners.mean(axis=1)
     found = region.covers(middles, normals / (2 * areas[:, None]))
     assert np.array_equal(found[short], surface.marked[short])
+
+
+@pytest.mark.parametrize("batch", [7, 100, 1 << 14])
+def test_areas_are_the_same_however_many_triangles_are_cut_at_a_time(batch, monkeypatch):
+    wire = Sphere(centre_mm=(0, 20, 15), radius_mm=6)
+    region = Region().add(ZRange(low_mm=10, high_mm=20)).erase(wire)
+        Region().add(ZRange(low_mm=10, high_mm=20)).erase(Sphere(centre=(0, 20, 15), radius_mm=6))
+    )
+    surface = marked_surface(BALL, region)
+    monkeypatch.setattr(cutting, "BATCH", batch)
+    assert marked_area(BALL, region) == pytest.approx((surface.marked_mm2, surface.area_mm2))
+    assert 0 < surface.marked_mm2 < surface.area_mm2
 
 
 def test_what_is_not_cut_by_a_mark_stays_whole():

@@ -141,7 +141,9 @@ class Mesh:
 
 @final
 class Facets:
-    def __new__(cls, corners: npt.NDArray[np.float64]) -> Facets: ...
+    def __new__(
+        cls, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.integer[Any]]
+    ) -> Facets: ...
     def nearest(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.uint32]: ...
 
 _Place: TypeAlias = tuple[str, tuple[float, ...], str | None, bool]

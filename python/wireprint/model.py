@@ -29,7 +29,7 @@ class Model:
     #: The settings of a project.
     settings: Settings | None
     #: What a 3MF file holds.
-    contents: Contents | None
+    contents: Contents | None = None
 
 
 def load_model(

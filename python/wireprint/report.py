@@ -359,12 +359,12 @@ def marks(mesh: Mesh, region: Region) -> Marked | None:
     """Tell what is marked on a model; None where nothing is."""
     if not region:
         return None
-    from wireprint.regions.surface import marked_surface
+    from wireprint.regions.surface import marked_area
 
-    surface = marked_surface(mesh, region)
+    marked_mm2, area_mm2 = marked_area(mesh, region)
     return Marked(
         kinds=dict(Counter(getattr(mark.shape, "kind", "predicate") for mark in region.marks)),
         erase=sum(mark.erase for mark in region.marks),
-        area_mm2=surface.marked_mm2,
-        share=surface.marked_mm2 / surface.area_mm2,
+        area_mm2=marked_mm2,
+        share=marked_mm2 / area_mm2,
     )

@@ -85,4 +85,4 @@ class Mask(Shape):
 
     @cached_property
     def _facets(self) -> Facets:
-        return Facets(self.vertices[self.faces].reshape(-1, 3))
+        return Facets(self.vertices, self.faces)

@@ -154,7 +154,6 @@ fn a_strand_parallel_to_a_face_deviates_by_their_distance() {
 #[test]
 fn the_nearest_triangle_is_the_one_that_a_search_of_all_finds() {
     let mesh = sphere(12);
-    let triangles: Vec<_> = (0..mesh.faces.len()).map(|face| mesh.corners(face)).collect();
     let points: Vec<_> = (0..500)
         .map(|i| {
             let f = f64::from(i);
@@ -162,13 +161,14 @@ fn the_nearest_triangle_is_the_one_that_a_search_of_all_finds() {
         })
         .collect();
     let nearest = Surface::new(&mesh).nearest(&points);
-    assert_eq!(nearest, Surface::of(&triangles).nearest(&points));
-    let alone: Vec<_> = triangles.iter().map(|&triangle| Surface::of(&[triangle])).collect();
+    assert_eq!(nearest, Surface::of(&mesh.vertices, &mesh.faces).nearest(&points));
+    let alone: Vec<_> =
+        mesh.faces.iter().map(|&face| Surface::of(&mesh.vertices, &[face])).collect();
     for (&point, &found) in points.iter().zip(&nearest) {
         let distance =
             |surface: &Surface| surface.deviation(&[[point, point + DVec3::X * 1e-9]]).max;
         let least = alone.iter().map(distance).fold(f64::MAX, f64::min);
         assert!(distance(&alone[found as usize]) < least + 1e-6);
     }
-    assert!(Surface::of(&[]).nearest(&points).is_empty());
+    assert!(Surface::of(&mesh.vertices, &[]).nearest(&points).is_empty());
 }

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use wireprint_core::fidelity::Surface;
 
 use crate::arrays;
+use crate::errors::ModelError;
 
 /// Loose triangles, sorted for the question which of them is nearest; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
@@ -15,15 +16,23 @@ pub struct Facets {
 
 #[pymethods]
 impl Facets {
-    /// Triangles by their corners, mm: float64 of shape (3·T, 3), three rows a triangle.
+    /// Triangles by vertices, mm, float64 (V, 3), and faces (T, 3), an integer dtype of indices.
     ///
     /// # Errors
-    /// `ModelError` for another dtype or shape.
+    /// `ModelError` for another dtype or shape, and for a vertex that is not there.
     #[new]
-    fn new(py: Python<'_>, corners: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let corners = arrays::read_points("corners", corners)?;
-        let (triangles, _) = corners.as_chunks::<3>();
-        Ok(Self { surface: py.detach(|| Surface::of(triangles)) })
+    fn new(
+        py: Python<'_>,
+        vertices: &Bound<'_, PyAny>,
+        faces: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let vertices = arrays::read_points("vertices", vertices)?;
+        let faces = arrays::read_faces(faces)?;
+        let there = |&vertex: &u32| (vertex as usize) < vertices.len();
+        if !faces.as_flattened().iter().all(there) {
+            return Err(ModelError::new_err("faces names a vertex that is not there"));
+        }
+        Ok(Self { surface: py.detach(|| Surface::of(&vertices, &faces)) })
     }
 
     /// Index of the triangle nearest to each of the points, float64 (N, 3): read-only uint32 (N,).

@@ -34,14 +34,14 @@ impl Surface {
     /// Prepares the surface of a mesh.
     #[must_use]
     pub fn new(mesh: &Mesh) -> Self {
-        let corners = (0..mesh.faces.len()).into_par_iter().map(|face| mesh.corners(face));
-        Self::of(&corners.collect::<Vec<_>>())
+        Self { triangles: Triangles::new(mesh.faces.len(), |face| mesh.corners(face)) }
     }
 
-    /// Prepares a surface given by its triangles, in whatever order.
+    /// Prepares a surface given by loose triangles, each of three of the vertices.
     #[must_use]
-    pub fn of(triangles: &[[DVec3; 3]]) -> Self {
-        Self { triangles: Triangles::new(triangles) }
+    pub fn of(vertices: &[DVec3], faces: &[[u32; 3]]) -> Self {
+        let corners = |face: usize| faces[face].map(|vertex| vertices[vertex as usize]);
+        Self { triangles: Triangles::new(faces.len(), corners) }
     }
 
     /// Measures the distance of strands from the surface.

@@ -47,8 +47,9 @@ pub(super) struct Triangles {
 }
 
 impl Triangles {
-    pub(super) fn new(triangles: &[Triangle]) -> Self {
-        let (given, triangles) = in_morton_order(triangles);
+    /// So many triangles, each told when it is asked for.
+    pub(super) fn new(count: usize, corners: impl Fn(usize) -> Triangle + Sync) -> Self {
+        let (given, triangles) = in_morton_order(count, corners);
         let leaves = triangles.len().div_ceil(LEAF).next_power_of_two();
         let mut nodes = vec![EMPTY; 2 * leaves];
         for (node, corners) in nodes[leaves..].iter_mut().zip(triangles.chunks(LEAF)) {
@@ -104,17 +105,22 @@ impl Triangles {
 }
 
 /// The triangles sorted along the Morton curve, with the place of each in the list given.
-fn in_morton_order(triangles: &[Triangle]) -> (Vec<u32>, Vec<Triangle>) {
-    let all = triangles.par_iter().map(|corners| Bounds::of(corners));
+fn in_morton_order(
+    count: usize,
+    corners: impl Fn(usize) -> Triangle + Sync,
+) -> (Vec<u32>, Vec<Triangle>) {
+    let all = (0..count).into_par_iter().map(|index| Bounds::of(&corners(index)));
     let Bounds { low, high } = all.reduce(|| EMPTY, Bounds::join);
     let scale = f64::from((1_u32 << BITS) - 1) / (high - low).max_element().max(f64::MIN_POSITIVE);
-    let mut keyed: Vec<(u64, u32)> = (0_u32..triangles.len() as u32)
+    let mut keyed: Vec<(u64, u32)> = (0..count)
         .into_par_iter()
-        .zip(triangles)
-        .map(|(index, [a, b, c])| (morton(((*a + *b + *c) / 3.0 - low) * scale), index))
+        .map(|index| {
+            let [a, b, c] = corners(index);
+            (morton(((a + b + c) / 3.0 - low) * scale), index as u32)
+        })
         .collect();
     keyed.par_sort_unstable();
-    keyed.into_par_iter().map(|(_, index)| (index, triangles[index as usize])).unzip()
+    keyed.into_par_iter().map(|(_, index)| (index, corners(index as usize))).unzip()
 }
 
 /// Interleaves the bits of three coordinates.
