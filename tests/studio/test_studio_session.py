@@ -71,6 +71,8 @@ def test_a_refused_setting_says_why_and_leaves_all_as_it_was(talk):
     before = talk.gcode()
     head, _ = talk.ask("set", key="wire.slab_max_mm", value=500)
     assert "wire.slab_max_mm (500) exceeds head.cone_height_mm" in head["error"]
+    head, _ = talk.ask("set", key="wire.skirt_rings", value=99)
+    assert head["error"] == "wire.skirt_rings: input should be less than or equal to 20"
     head, _ = talk.ask("set", key="wire.no_such_key", value=1)
     assert "unknown key" in head["error"]
     assert talk.gcode() == before

@@ -53,19 +53,22 @@ export class Studio {
     }
   }
 
-  /** Adds a shape about the model's middle, and shows its handles. */
+  /** Adds a shape, and shows its handles. */
   async shape(kind: "box" | "sphere" | "z" | "half"): Promise<void> {
     const box = this.view.surface.body.geometry.boundingBox;
     if (!box) return;
     const centre = box.getCenter(new Vector3());
     const size = box.getSize(new Vector3());
     const round = (vector: Vector3) => vector.toArray().map((number) => Math.round(number * 10) / 10) as [number, number, number];
-    const half = size.clone().multiplyScalar(0.22);
+    const wider = 0.05 * size.length();
+    // Each is begun where it covers some of the surface: half of a belt, the front, a belt, the top.
+    const low = new Vector3(centre.x, box.min.y - wider, box.min.z + 0.4 * size.z);
+    const high = new Vector3(box.max.x + wider, box.max.y + wider, box.min.z + 0.6 * size.z);
     const made: Shape = {
-      box: { kind: "box" as const, low_mm: round(centre.clone().sub(half)), high_mm: round(centre.clone().add(half)) },
+      box: { kind: "box" as const, low_mm: round(low), high_mm: round(high) },
       sphere: {
         kind: "sphere" as const,
-        centre_mm: round(centre),
+        centre_mm: round(new Vector3(centre.x, box.min.y, centre.z)),
         radius_mm: Math.max(Math.round(Math.min(size.x, size.y, size.z) * 3) / 10, 0.5),
       },
       z: {

@@ -74,6 +74,8 @@ class Session:
         self._source, self._tell_all = source, tell
         self._history: History | None = None
         self._mesh: Mesh | None = None
+        #: What its G-code is dated.
+        self._date = source.dated()
         self._revision = 0
         self._done = -1
         self._stale = True
@@ -286,6 +288,8 @@ class Session:
     def _read(self) -> None:
         from wireprint import report
 
+        # A file that is damaged, or gone, must not date the print of what it was.
+        date = self._source.dated()
         try:
             model = self._source.load()
         except (WireprintError, OSError) as error:
@@ -301,7 +305,7 @@ class Session:
         }
         arrays = {"vertices": mesh.vertices.astype("<f4"), "faces": mesh.faces.astype("<u4")}
         with self._changed:
-            self._mesh = mesh
+            self._mesh, self._date = mesh, date
             self._kept.clear()
             if self._history is None:
                 self._history = History(partial(self._source.compose, model.settings), model.region)
@@ -314,6 +318,9 @@ class Session:
             if self._history is None or self._mesh is None:
                 return
             mesh, state, settings = self._mesh, self._history.state, self._history.settings
+            if id(state) in self._kept:
+                self._show_kept(state)
+                return
         try:
             self._make(revision, mesh, state, settings)
         except WireprintError as error:
@@ -327,7 +334,7 @@ class Session:
             mesh,
             settings,
             state.region,
-            self._source.dated(),
+            self._date,
             lambda _: self._current(revision),
             self._sketch_of(mesh, settings),
         )

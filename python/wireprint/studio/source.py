@@ -6,6 +6,8 @@ import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from wireprint._core import SettingError
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from datetime import datetime
@@ -45,4 +47,12 @@ class Source:
         settings = self.settings(printer, material, saved)
         if not changed:
             return settings
-        return settings.but(overrides=[f"{key}={json.dumps(v)}" for key, v in changed.items()])
+        overrides = [f"{key}={json.dumps(value)}" for key, value in changed.items()]
+        try:
+            return settings.but(overrides=overrides)
+        except SettingError as error:
+            # A page has no options; it shows the words at the field.
+            words = str(error)
+            for override in overrides:
+                words = words.removeprefix(f"--set {override}: ")
+            raise SettingError(words) from None
