@@ -59,8 +59,6 @@ def test_the_pieces_are_the_surface_and_the_region_says_which_are_marked(marks):
 def test_areas_are_the_same_however_many_triangles_are_cut_at_a_time(batch, monkeypatch):
     wire = Sphere(centre_mm=(0, 20, 15), radius_mm=6)
     region = Region().add(ZRange(low_mm=10, high_mm=20)).erase(wire)
-        Region().add(ZRange(low_mm=10, high_mm=20)).erase(Sphere(centre=(0, 20, 15), radius_mm=6))
-    )
     surface = marked_surface(BALL, region)
     monkeypatch.setattr(cutting, "BATCH", batch)
     assert marked_area(BALL, region) == pytest.approx((surface.marked_mm2, surface.area_mm2))
