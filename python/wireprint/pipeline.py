@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -96,6 +96,7 @@ class WirePrint:
             "posts": self.wireframe.post_count,
             "strand_mm": moves["strand_mm"],
             "travel_mm": moves["travel_mm"],
+            "brim_rings": self.toolpath.brim_rings,
             "pauses": moves["pauses"],
             "pause_s": moves["pause_s"],
             "filament_mm": filament_mm,
@@ -232,6 +233,16 @@ def make(
     if certify:
         with clock.stage("check"):
             certificate = check(gcode, settings, mesh, deviation=compare)
+        if not certificate.ok:
+            from wireprint.mending import mended
+
+            with clock.stage("mend"):
+                left = mended(strands, certificate, settings)
+            if left is not None:
+                strands, path = left, toolpath(left, settings)
+                regions = regions and replace(regions, wireframe=strands, toolpath=path)
+                gcode, estimate = _written(path, settings, date, remarks)
+                certificate = check(gcode, settings, mesh, deviation=compare)
     places = None
     if weak:
         from wireprint.weakness import find_weak

@@ -121,6 +121,7 @@ _HELP: Final = {
     "no_foothold": "print it larger, with a smaller nozzle, or with lower slabs",
     "wide_span": "turn the model, or raise wire.span_limit_mm if your material holds it",
     "wide_roof": "turn the model so that the face stands upright",
+    "breaks_rules": "turn the model (--orient auto), or set lower slabs (--slab-min)",
 }
 #: What columns would carry.
 _SUPPORTED: Final = frozenset({"mid_air", "wide_span", "wide_roof"})

@@ -30,6 +30,8 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
     if figures["turn_to_fit_deg"]:
         yield _row("turned", f"{figures['turn_to_fit_deg']:g}° about z, to fit the bed")
     yield _row("wire", f"{figures['slices']} slices, {figures['posts']} posts")
+    if figures["brim_rings"]:
+        yield _row("brim", f"{figures['brim_rings']} rings about the foot")
     yield _row("strand", f"{figures['strand_mm'] / 1000:.2f} m")
     yield _row("travel", f"{figures['travel_mm'] / 1000:.2f} m")
     yield _row("filament", f"{figures['filament_mm']:.0f} mm, {figures['filament_g']:.1f} g")

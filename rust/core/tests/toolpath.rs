@@ -34,7 +34,7 @@ const PARAMS: PathParams = PathParams {
     travel_lift: 1.0,
     skirt_rings: 0,
     skirt_gap: 3.0,
-    brim_rings: 0,
+    brim_rings: Some(0),
 };
 
 fn strand(from: [f64; 3], to: [f64; 3], kind: Kind) -> Strand {
@@ -427,7 +427,7 @@ fn square(at: f64, side: f64) -> Vec<Strand> {
 
 #[test]
 fn brim_rings_lie_a_strand_apart_and_a_strand_from_the_contour() {
-    let p = PathParams { brim_rings: 4, ..PARAMS };
+    let p = PathParams { brim_rings: Some(4), ..PARAMS };
     let path = plan(&square(0.0, 20.0), &p);
     let brim = rings(&path, Kind::Brim);
     let contours = rings(&path, Kind::Contour);
@@ -448,7 +448,7 @@ fn brim_rings_lie_a_strand_apart_and_a_strand_from_the_contour() {
 fn the_skirt_goes_around_everything_and_the_brim_stays_on_the_bed() {
     let mut strands = square(0.0, 20.0);
     strands.extend(square(60.0, 10.0));
-    let p = PathParams { brim_rings: 2, skirt_rings: 2, ..PARAMS };
+    let p = PathParams { brim_rings: Some(2), skirt_rings: 2, ..PARAMS };
     let path = plan(&strands, &p);
     let skirt = rings(&path, Kind::Skirt);
     assert_eq!(skirt.len(), 2);

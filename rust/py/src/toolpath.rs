@@ -91,6 +91,7 @@ impl Toolpath {
         let rows = to.as_array();
         let core = core::Toolpath {
             start: start.into(),
+            brim_rings: 0,
             to: rows.rows().into_iter().map(|r| DVec3::new(r[0], r[1], r[2])).collect(),
             kind: kind.as_array().iter().map(|&code| kind_of(code)).collect::<PyResult<_>>()?,
             speed: speed.as_array().to_vec(),
@@ -116,6 +117,12 @@ impl Toolpath {
     #[getter]
     fn start(&self) -> [f64; 3] {
         self.core.start.to_array()
+    }
+
+    /// Rings of the brim around the first contours; 0 where it was made from arrays.
+    #[getter]
+    fn brim_rings(&self) -> u32 {
+        self.core.brim_rings
     }
 
     /// Greatest height of a move's end, mm; 0 without moves.

@@ -15,6 +15,7 @@ use wireprint_core::wireframe::frame::Reason;
 use wireprint_core::wireframe::params::WireParams;
 
 use crate::arrays;
+use crate::check::require_positive;
 use crate::errors::{SettingError, detached, in_pool};
 use crate::layered::{LayeredArgs, layers};
 use crate::mesh::Mesh;
@@ -74,6 +75,7 @@ fn reason(reason: Reason) -> &'static str {
         Reason::NoFoothold => "no_foothold",
         Reason::WideSpan => "wide_span",
         Reason::WideRoof => "wide_roof",
+        Reason::BreaksRules => "breaks_rules",
     }
 }
 
@@ -189,6 +191,16 @@ impl Wireframe {
             Ok(core::regions::layers::cut_layers(mesh, sliced, thickness_mm, strand_mm))
         })?;
         layers(py, cut)
+    }
+
+    /// The same print without strands of these numbers, ascending.
+    ///
+    /// # Errors
+    /// `SettingError` for a diameter that is not positive.
+    fn without(&self, py: Python<'_>, dropped: Vec<usize>, strand_mm: f64) -> PyResult<Self> {
+        require_positive("strand_mm", strand_mm)?;
+        let core = detached(py, || Ok(self.core.without(&dropped, strand_mm)))?;
+        Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py) })
     }
 
     /// What is not printed: (reason, lower and upper end mm, area mm², a point on it mm) each.

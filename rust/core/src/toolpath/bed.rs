@@ -11,11 +11,37 @@ use crate::strand::{Kind, Strand};
 /// Largest angle between two strokes of an outline's rounded corner, rad.
 const ROUND: f64 = 0.3;
 
+/// A print stands safely on a foot as wide as this part of its height; estimated.
+const SAFE: f64 = 0.25;
+
+/// Most rings of a brim that follows from the foot: a wider one lifts the foot no better.
+const MOST: f64 = 10.0;
+
+/// Number of a brim's rings: as many as are asked for; else as many as widen a foot that is small
+/// for the print's height until it is safe, or so many as are any good.
+pub fn rings(first: &[&Strand], height: f64, p: &PathParams) -> u32 {
+    p.brim_rings.unwrap_or_else(|| {
+        let foot = first.iter().flat_map(|s| [s.from.truncate(), s.to.truncate()]);
+        let missing = SAFE * height - width(&convex_hull(foot.collect()));
+        (missing / (2.0 * p.strand)).ceil().clamp(0.0, MOST) as u32
+    })
+}
+
+/// Smallest distance of two parallel lines between which a convex outline lies, mm.
+fn width(hull: &[DVec2]) -> f64 {
+    let edges = hull.iter().zip(hull.iter().cycle().skip(1));
+    let across = edges.map(|(&a, &b)| {
+        let normal = (b - a).perp().normalize_or_zero();
+        hull.iter().map(|&p| normal.dot(p - a).abs()).fold(0.0, f64::max)
+    });
+    across.min_by(f64::total_cmp).unwrap_or(0.0)
+}
+
 /// Rings around each first contour, inside to outside, one strand apart, as far as the bed holds
 /// them.
-pub fn brim(first: &[&Strand], p: &PathParams) -> Vec<Vec<DVec2>> {
+pub fn brim(first: &[&Strand], rings: u32, p: &PathParams) -> Vec<Vec<DVec2>> {
     let contours = loops(first);
-    let rings = (1..=p.brim_rings).flat_map(|i| outset(&contours, f64::from(i) * p.strand));
+    let rings = (1..=rings).flat_map(|i| outset(&contours, f64::from(i) * p.strand));
     rings.filter(|ring| fits(ring, p)).collect()
 }
 

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use glam::{DVec2, DVec3};
 
 use super::Toolpath;
-use super::bed::{brim, skirt};
+use super::bed::{brim, rings, skirt};
 use super::mechanics::{air, airy_share, pause, speed};
 use super::params::{PathParams, Strategy};
 use super::pressure::{Pressure, wanted};
@@ -17,18 +17,16 @@ const SHORT: f64 = 1.0;
 /// The moves that print `strands` in their order.
 #[must_use]
 pub fn toolpath(strands: &[Strand], p: &PathParams) -> Toolpath {
-    let all: Vec<Strand> = bed_lines(strands, p)
-        .iter()
-        .chain(strands)
-        .map(|strand| placed(strand, p.centre))
-        .collect();
+    let (brim_rings, lines) = bed_lines(strands, p);
+    let all: Vec<Strand> =
+        lines.iter().chain(strands).map(|strand| placed(strand, p.centre)).collect();
     let mut builder = Builder::new(p);
     for (i, strand) in all.iter().enumerate() {
         builder.approach(strand);
         builder.print(strand, all.get(i + 1));
     }
     builder.leave();
-    builder.path
+    Toolpath { brim_rings, ..builder.path }
 }
 
 fn placed(strand: &Strand, centre: DVec2) -> Strand {
@@ -36,14 +34,16 @@ fn placed(strand: &Strand, centre: DVec2) -> Strand {
     Strand { from: strand.from + shift, to: strand.to + shift, ..*strand }
 }
 
-/// Brim and skirt as strands, the skirt first.
-fn bed_lines(strands: &[Strand], p: &PathParams) -> Vec<Strand> {
+/// Brim and skirt as strands, the skirt first, and the number of the brim's rings.
+fn bed_lines(strands: &[Strand], p: &PathParams) -> (u32, Vec<Strand>) {
     let first: Vec<&Strand> =
         strands.iter().take_while(|s| p.is_on_bed(s.from.z.max(s.to.z))).collect();
-    let brim = brim(&first, p);
+    let height = strands.iter().map(|s| s.from.z.max(s.to.z)).fold(0.0, f64::max);
+    let count = rings(&first, height, p);
+    let brim = brim(&first, count, p);
     let skirt = skirt(&first, &brim, p);
     let rings = skirt.iter().map(|r| (r, Kind::Skirt)).chain(brim.iter().map(|r| (r, Kind::Brim)));
-    rings
+    let lines = rings
         .flat_map(|(ring, kind)| {
             let count = ring.len();
             (0..count).map(move |i| Strand {
@@ -56,7 +56,8 @@ fn bed_lines(strands: &[Strand], p: &PathParams) -> Vec<Strand> {
                 direct: false,
             })
         })
-        .collect()
+        .collect();
+    (if brim.is_empty() { 0 } else { count }, lines)
 }
 
 /// A toolpath under way.

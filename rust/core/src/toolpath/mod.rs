@@ -18,6 +18,8 @@ use crate::strand::{Kind, Strand};
 pub struct Toolpath {
     /// Where the head stands before the first move, mm.
     pub start: DVec3,
+    /// Rings of the brim.
+    pub brim_rings: u32,
     /// End of each move, mm.
     pub to: Vec<DVec3>,
     /// What each move is for.

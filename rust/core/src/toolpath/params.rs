@@ -149,8 +149,8 @@ pub struct PathParams {
     /// Distance of the skirt from the print.
     #[serde(rename = "skirt_gap_mm")]
     pub skirt_gap: f64,
-    /// Flat rings around each first contour.
-    pub brim_rings: u32,
+    /// Flat rings around each first contour; none given: as many as a small foot wants.
+    pub brim_rings: Option<u32>,
 }
 
 impl PathParams {

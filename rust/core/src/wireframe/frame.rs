@@ -28,6 +28,8 @@ pub enum Reason {
     WideSpan,
     /// Its flat roof is wider than a strand can span.
     WideRoof,
+    /// Printed, it would break the rules.
+    BreaksRules,
 }
 
 /// A part of the surface that is not printed.
@@ -59,10 +61,86 @@ pub struct Wireframe {
 }
 
 impl Wireframe {
+    /// The same print without strands of these numbers, ascending, `strand` mm in diameter: posts
+    /// go with theirs, and what would have been seen of the others is named.
+    #[must_use]
+    pub fn without(&self, dropped: &[usize], strand: f64) -> Self {
+        let is_dropped = |number: &usize| dropped.binary_search(number).is_ok();
+        let mut strands = Vec::with_capacity(self.strands.len());
+        for (number, &kept) in self.strands.iter().enumerate().filter(|(n, _)| !is_dropped(n)) {
+            // The head no longer comes from where it was to come from.
+            let direct = kept.direct && number.checked_sub(1).is_none_or(|n| !is_dropped(&n));
+            strands.push(Strand { direct, ..kept });
+        }
+        let gone: Vec<&Strand> = dropped.iter().filter_map(|&n| self.strands.get(n)).collect();
+        let stands = |p: &&PlacedPost| {
+            !gone
+                .iter()
+                .any(|s| s.kind == Kind::Post && s.to == p.post.peak && s.from == p.post.base)
+        };
+        let posts = self.posts.iter().filter(stands).copied().collect();
+        let runs = gone.chunk_by(|one, next| one.to == next.from);
+        let mut unprinted = self.unprinted.clone();
+        unprinted.extend(runs.filter_map(|run| left_out(run, strand)));
+        unprinted.sort_by(|a, b| a.low.total_cmp(&b.low));
+        Self { sliced: self.sliced.clone(), posts, strands, unprinted }
+    }
+
     /// Length of all strands of a kind, mm.
     #[must_use]
     pub fn length_of(&self, kind: Kind) -> f64 {
         let found = self.strands.iter().filter(|s| s.kind == kind);
         found.map(|s| s.from.distance(s.to)).fold(0.0, std::ops::Add::add)
+    }
+}
+
+/// What strands that are not printed would have shown; None of what only supports.
+fn left_out(run: &[&Strand], strand: f64) -> Option<Unprinted> {
+    let mut seen = run.iter().filter(|s| s.kind != Kind::Support).peekable();
+    let place = seen.peek()?.from;
+    let (mut low, mut high, mut area) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+    for s in seen {
+        (low, high) = (low.min(s.from.z.min(s.to.z)), high.max(s.from.z.max(s.to.z)));
+        area += s.from.distance(s.to) * strand;
+    }
+    Some(Unprinted { low, high, area, place, reason: Reason::BreaksRules })
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::dvec3;
+
+    use super::*;
+
+    fn strand(kind: Kind, from: [f64; 3], to: [f64; 3]) -> Strand {
+        let (from, to) = (from.into(), to.into());
+        Strand { from, to, kind, slab: 0, floating: false, flow: 1.0, direct: true }
+    }
+
+    #[test]
+    fn dropped_strands_take_their_posts_along_and_are_named_run_by_run() {
+        let post = Post { base: DVec3::ZERO, peak: dvec3(0.0, 0.0, 5.0), s: 0.0 };
+        let other = Post { base: dvec3(9.0, 0.0, 0.0), peak: dvec3(9.0, 0.0, 5.0), s: 9.0 };
+        let frame = Wireframe {
+            sliced: Sliced::default(),
+            posts: [post, other].map(|post| PlacedPost { post, slab: 0, contour: 0 }).to_vec(),
+            strands: vec![
+                strand(Kind::Post, [0.0, 0.0, 0.0], [0.0, 0.0, 5.0]),
+                strand(Kind::Diagonal, [0.0, 0.0, 5.0], [9.0, 0.0, 0.0]),
+                strand(Kind::Post, [9.0, 0.0, 0.0], [9.0, 0.0, 5.0]),
+                strand(Kind::Support, [3.0, 0.0, 1.0], [3.0, 0.0, 2.0]),
+                strand(Kind::Cap, [3.0, 0.0, 2.0], [7.0, 0.0, 2.0]),
+            ],
+            unprinted: Vec::new(),
+        };
+        let left = frame.without(&[0, 1, 3], 0.5);
+        assert_eq!(left.posts.iter().map(|p| p.post).collect::<Vec<_>>(), [other]);
+        assert_eq!(left.strands.iter().map(|s| s.direct).collect::<Vec<_>>(), [false, false]);
+        // A support shows nothing of the surface.
+        let [named] = left.unprinted[..] else { panic!("{:?}", left.unprinted) };
+        assert_eq!((named.low, named.high, named.place), (0.0, 5.0, DVec3::ZERO));
+        assert!((named.area - 0.5 * (5.0 + 106_f64.sqrt())).abs() < 1e-12);
+        assert_eq!(named.reason, Reason::BreaksRules);
+        assert_eq!(frame.without(&[], 0.5).strands, frame.strands);
     }
 }

@@ -1,0 +1,123 @@
+"""Prints that would break their own rules: without the strands that do, which are named."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from wireprint.certificate import check
+from wireprint.gcode import document
+from wireprint.stages import toolpath
+from wireprint.verdict import Span
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import numpy.typing as npt
+
+    from wireprint._core import Wireframe
+    from wireprint.certificate import Certificate
+    from wireprint.settings import Settings
+
+#: Most prints that are tried: what hangs on something that was dropped falls in the next round.
+ROUNDS: Final = 100
+#: Places that are told apart, mm: G-code has thousandths, along each axis.
+_RESOLVED_MM: Final = 0.01
+#: Rules that a print keeps if strands are left out of it.
+_MENDED: Final = (
+    "collisions",
+    "floating_starts",
+    "dangling_ends",
+    "spans_over",
+    "underfed",
+    "hurried",
+)
+
+
+def mended(strands: Wireframe, certificate: Certificate, settings: Settings) -> Wireframe | None:
+    """Leave out of a print the strands that break the rules, and what would hang on them.
+
+    Parameters
+    ----------
+    strands
+        The print.
+    certificate
+        The verdict on it.
+    settings
+        What it was made with.
+
+    Returns
+    -------
+    Wireframe or None
+        A print that keeps the rules; `Wireframe.unprinted` names what was left out of it. None
+        where none was found in so many rounds, or other rules are broken, too.
+    """
+    for _ in range(ROUNDS):
+        if any(found for name, found in certificate.breaches().items() if name not in _MENDED):
+            return None
+        dropped = _blamed(strands, certificate, settings)
+        if not 0 < len(dropped) < strands.strand_count:
+            return None
+        strands = strands.without(dropped, settings.printer.head.nozzle_mm)
+        text = document.body(toolpath(strands, settings), settings, document.dated(None))
+        certificate = check(text, settings)
+        if certificate.ok:
+            return strands
+    return None
+
+
+def _blamed(strands: Wireframe, certificate: Certificate, settings: Settings) -> list[int]:
+    """Return the numbers of the strands that are to blame, ascending."""
+    own = strands.strands
+    numbers = (_number(own, ends) for ends in _faulty(certificate, settings))
+    return sorted({number for number in numbers if number is not None})
+
+
+def _faulty(certificate: Certificate, settings: Settings) -> list[npt.NDArray[np.float64]]:
+    """Return the ends of the file's strands that are to blame, mm, from the middle of the bed.
+
+    A breach is put down to the strand of its line, or to the next one where the head only comes
+    to it; of a stretch that hangs too far, all strands are to blame.
+    """
+    centre = np.array([*settings.printer.bed.centre_mm, 0.0])
+    laid, lines = certificate.core.strands, certificate.core.strand_lines
+    found = []
+    for name in _MENDED:
+        for breach in certificate.breaches()[name]:
+            number = int(np.searchsorted(lines, breach.line))
+            if number == len(laid):
+                continue
+            found += [laid[number] - centre]
+            if isinstance(breach, Span):
+                found += [ends - centre for ends in _before(laid, number, breach.from_mm)]
+    return found
+
+
+def _before(
+    laid: npt.NDArray[np.float64], number: int, held_mm: tuple[float, float, float]
+) -> Iterator[npt.NDArray[np.float64]]:
+    """Walk back along a chain as far as where it was held last."""
+    while number > 0 and _off(laid[number], np.array(held_mm)) > _RESOLVED_MM:
+        if not np.array_equal(laid[number - 1][1], laid[number][0]):
+            return
+        number -= 1
+        yield laid[number]
+
+
+def _number(own: npt.NDArray[np.float64], ends: npt.NDArray[np.float64]) -> int | None:
+    """Return which of a print's strands this one of its file is, or is a part of."""
+    off = np.maximum(_off(own, ends[0]), _off(own, ends[1]))
+    best = int(np.argmin(off)) if len(off) else None
+    return best if best is not None and off[best] <= _RESOLVED_MM else None
+
+
+def _off(
+    strands: npt.NDArray[np.float64], place: npt.NDArray[np.float64]
+) -> npt.NDArray[np.float64]:
+    """Return how far a place is off each strand of (…, 2, 3), mm."""
+    start, run = strands[..., 0, :], strands[..., 1, :] - strands[..., 0, :]
+    length2 = np.sum(run**2, axis=-1)
+    along = np.sum((place - start) * run, axis=-1) / np.where(length2 > 0, length2, 1.0)
+    nearest = start + np.clip(along, 0, 1)[..., None] * run
+    return np.asarray(np.linalg.norm(place - nearest, axis=-1))

@@ -1,0 +1,75 @@
+"""A print that would break its own rules loses the strands that do, and they are named."""
+
+import json
+
+import pytest
+
+import wireprint
+from command import run
+from wireprint import KINDS, Settings, pipeline, stages
+from wireprint.certificate import check
+from wireprint.gcode import document
+from wireprint.mending import mended
+from wireprint.pipeline import make
+
+#: Caps of a cube of 28 mm span 28 mm; its contours go from post to post.
+STRICT, LOOSE = ["wire.span_limit_mm=24"], ["wire.span_limit_mm=40"]
+
+
+@pytest.fixture
+def careless(monkeypatch):
+    """A planner that believes in longer spans than its certificate."""
+    loose = Settings.load(overrides=LOOSE)
+    monkeypatch.setattr(pipeline, "wireframe", lambda mesh, _: stages.wireframe(mesh, loose))
+
+
+def test_what_breaks_the_rules_is_left_out_and_named(cube, careless):
+    mesh = wireprint.load_mesh(cube)
+    made = make(mesh, Settings.load(overrides=STRICT), partial=True)
+    assert made.certificate.ok
+    whole = make(mesh, Settings.load(overrides=LOOSE), partial=True)
+    assert 0 < whole.wireframe.strand_count - made.wireframe.strand_count < 40
+    named = [part for part in made.unprinted() if part["reason"] == "breaks_rules"]
+    assert named
+    assert all(part["help"] for part in named)
+
+
+def test_too_much_left_out_is_not_written(cube, careless, tmp_path):
+    target = tmp_path / "cube.gcode"
+    strict = [word for one in STRICT for word in ("--set", one)]
+    done = run("slice", cube, "-o", target, *strict, "--set", "wire.coverage_min=1")
+    assert done.exit_code == 5
+    assert "breaks rules" in done.stderr
+    assert not target.exists()
+    told = json.loads(run("slice", cube, "-o", target, *strict, "--force", "--json").stdout)
+    assert told["certified"]
+    assert any(part["reason"] == "breaks_rules" for part in told["unprinted"])
+
+
+def test_what_hangs_on_what_is_left_out_goes_with_it(cube):
+    settings = Settings.load()
+    strands = stages.wireframe(wireprint.load_mesh(cube), settings)
+    # Without its posts a slab has nothing that the ones above could stand on.
+    kinds, post = strands.strand_kinds, KINDS.index("post")
+    posts = [n for n, slab in enumerate(strands.strand_slabs) if slab == 1 and kinds[n] == post]
+    broken = strands.without(posts, settings.printer.head.nozzle_mm)
+    certificate = check(written(broken, settings), settings)
+    assert certificate.floating_starts
+    left = mended(broken, certificate, settings)
+    assert check(written(left, settings), settings).ok
+    assert left.strand_count < broken.strand_count
+    assert left.post_count < broken.post_count
+
+
+def test_a_print_that_leaves_the_bed_is_not_mended(cube):
+    settings = Settings.load()
+    mesh = wireprint.load_mesh(cube, scale=8)
+    strands = stages.wireframe(mesh, settings)
+    certificate = check(written(strands, settings), settings)
+    assert certificate.out_of_bounds
+    assert mended(strands, certificate, settings) is None
+
+
+def written(strands, settings):
+    path = stages.toolpath(strands, settings)
+    return document.body(path, settings, document.dated(None))
