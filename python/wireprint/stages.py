@@ -95,6 +95,7 @@ def _of_path(settings: Settings) -> dict[str, object]:
         "pause_s": settings.pause_s,
         # A pause that was asked for is kept.
         "climb": _climb(printer) if settings.wire.pause_s is None else None,
+        "brim_rings": None if settings.wire.brim_rings == "auto" else settings.wire.brim_rings,
         "pressure_advance": flavor.pressure_advance(printer.gcode),
         "layer_retract_over_mm": regions.retract_over_mm,
     }
