@@ -290,3 +290,11 @@ def test_a_fresh_install_reads_every_format(tmp_path, run_python):
         f"for path in {paths!r}:\n    assert load_mesh(path).size_mm == [20, 20, 20]\n"
         "assert 'numpy' not in sys.modules"
     )
+
+
+@pytest.mark.parametrize("suffix", ["step", "STP", "iges"])
+def test_a_cad_model_is_named_as_such(suffix, tmp_path):
+    path = tmp_path / f"a.{suffix}"
+    path.write_text("ISO-10303-21;")
+    with pytest.raises(ModelError, match="CAD model"):
+        load_mesh(path)

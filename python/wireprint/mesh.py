@@ -26,6 +26,8 @@ SUFFIXES: Final = (*FORMATS, "3mf")
 
 #: Suffixes of files that slicers write for printers: no models.
 _SLICED: Final = ("gcode", "gco", "g", "nc", "ngc", "bgcode", "ufp")
+#: Suffixes of files of exact surfaces.
+_CAD: Final = ("step", "stp", "iges", "igs", "brep")
 
 
 def load_mesh(
@@ -104,6 +106,9 @@ def load_mesh(
         return placed(File3mf(Path(path), plate), units=units, **placement)
     if suffix in _SLICED:
         msg = f"{path}: it holds G-code, sliced already, and no model; take what it was made from"
+        raise ModelError(msg)
+    if suffix in _CAD:
+        msg = f"{path}: it holds a CAD model, which has no facets; export it as STL or 3MF"
         raise ModelError(msg)
     if suffix not in FORMATS:
         known = ", ".join(name.upper() for name in SUFFIXES)
