@@ -58,16 +58,18 @@ function Control({ field, value, studio }: { field: Field; value: Value; studio:
       />
     );
   const automatic = store.state.value?.automatic[key];
+  // A word that stands for an amount is what an empty field means.
+  const word = field.choices[0];
   return (
     <input
       {...common}
       type="number"
       step={kind === "integer" ? 1 : "any"}
-      value={value === null ? "" : String(value)}
-      placeholder={automatic === undefined ? "auto" : `auto ${automatic}`}
+      value={value === null || value === word ? "" : String(value)}
+      placeholder={word ?? (automatic === undefined ? "auto" : `auto ${automatic}`)}
       onChange={(event) => {
         const text = event.currentTarget.value;
-        void studio.set(key, text === "" ? null : Number(text));
+        void studio.set(key, text === "" ? (word ?? null) : Number(text));
       }}
     />
   );

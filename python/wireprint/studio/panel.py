@@ -60,6 +60,7 @@ class Field(TypedDict):
     kind: str
     low: float | None
     high: float | None
+    #: Of a choice; of a number, words that stand for special amounts.
     choices: list[str]
     #: Whether it may be left to follow from others.
     automatic: bool
@@ -120,8 +121,10 @@ def _resolved(given: Mapping[str, Any], known: Mapping[str, Any]) -> tuple[dict[
         return about, False
     ways = about.pop("anyOf")
     some = [way for way in ways if way.get("type") != "null"]
-    inner, _ = _resolved(some[0], known)
-    return inner | about, len(some) < len(ways)
+    # A number may have words for special amounts beside it.
+    words = [way["const"] for way in some if "const" in way]
+    inner, _ = _resolved(next(way for way in some if "const" not in way), known)
+    return inner | about | {"words": words}, len(some) < len(ways)
 
 
 def _kind(about: Mapping[str, Any]) -> str | None:
@@ -144,7 +147,7 @@ def _field(
         "kind": kind,
         "low": about.get("minimum", about.get("exclusiveMinimum")),
         "high": about.get("maximum", about.get("exclusiveMaximum")),
-        "choices": list(about.get("enum", [])),
+        "choices": list(about.get("enum", about.get("words", []))),
         "automatic": automatic,
         "help": given.get("description", about.get("description", "")),
     }
