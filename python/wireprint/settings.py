@@ -413,7 +413,7 @@ class Wire(Section):
         description="tip over bed; None: half a nozzle, which squeezes a strand",
     )
     brim_rings: Annotated[int, Field(ge=0, le=50)] | Literal["auto"] = Field(
-        0, description="flat rings about the first contours; auto: what a small foot wants"
+        "auto", description="flat rings about the first contours; auto: what a small foot wants"
     )
     skirt_rings: int = Field(1, ge=0, le=20, description="prime the nozzle; CuraEngine's default")
     skirt_gap_mm: float = Field(3.0, ge=0, le=50, description="CuraEngine's default")

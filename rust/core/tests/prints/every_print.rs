@@ -17,10 +17,11 @@ fn assert_whole(print: &Print, mesh: &Mesh, name: &str) {
     let (mean, most) = stray(print);
     assert!(most <= 0.5 * wire.strand + 1e-6, "{name}: a contour strays by {most} mm");
     assert!(mean <= 0.3 * wire.strand, "{name}: contours stray by {mean} mm");
-    // No bare place lies farther from all strands than two thirds of a cap's spacing, hardly.
+    // Faces are closed where they are bare by two thirds of a cap's spacing; on slopes beside them a
+    // place may lie a little farther from all strands, never as far as a cap's lines do.
     let bare = bare(print, mesh);
     let share = |part: f64| bare[(part * (bare.len() - 1) as f64) as usize] / wire.cap_spacing;
-    assert!(share(1.0) <= 0.71, "{name}: {} of a cap's spacing is bare", share(1.0));
+    assert!(share(1.0) <= 0.85, "{name}: {} of a cap's spacing is bare", share(1.0));
     assert!(share(0.98) <= 0.5 && share(0.5) <= 0.2, "{name}: {} {}", share(0.98), share(0.5));
 }
 
