@@ -17,7 +17,9 @@ sys.path.append(str(Path(__file__).parent / "fuzz"))
 from inputs import Inputs
 
 #: What to do instead: an option, a command, another form of the file.
-WAY_OUT = re.compile(r"--\w+|slice it first|write it again|unpack|unzip|plain G-code|start it anew")
+WAY_OUT = re.compile(
+    r"--\w+|slice it first|write it again|unpack|unzip|plain G-code|start it anew|export it again"
+)
 
 
 @pytest.fixture

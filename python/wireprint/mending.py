@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 
 #: Most prints that are tried: what hangs on something that was dropped falls in the next round.
 ROUNDS: Final = 100
+#: A print of which more than this share of the strands is to blame breaks the rules throughout, by
+#: its settings: leaving strands out is no answer to that.
+_MOST: Final = 0.1
 #: Places that are told apart, mm: G-code has thousandths, along each axis.
 _RESOLVED_MM: Final = 0.01
 #: Rules that a print keeps if strands are left out of it.
@@ -51,13 +54,15 @@ def mended(strands: Wireframe, certificate: Certificate, settings: Settings) -> 
     -------
     Wireframe or None
         A print that keeps the rules; `Wireframe.unprinted` names what was left out of it. None
-        where none was found in so many rounds, or other rules are broken, too.
+        where none was found in so many rounds, it breaks them throughout, or other rules are
+        broken, too.
     """
-    for _ in range(ROUNDS):
+    for number in range(ROUNDS):
         if any(found for name, found in certificate.breaches().items() if name not in _MENDED):
             return None
         dropped = _blamed(strands, certificate, settings)
-        if not 0 < len(dropped) < strands.strand_count:
+        throughout = number == 0 and len(dropped) > _MOST * strands.strand_count
+        if throughout or not 0 < len(dropped) < strands.strand_count:
             return None
         strands = strands.without(dropped, settings.printer.head.nozzle_mm)
         text = document.body(toolpath(strands, settings), settings, document.dated(None))

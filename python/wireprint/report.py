@@ -212,14 +212,17 @@ def led_out(certificate: Certificate, settings: Settings) -> str | None:
     ]
     if not labelled:
         return None
-    for breach in certificate.out_of_bounds:
-        if breach.bound == "volume" and not labelled[0] <= breach.line <= labelled[-1]:
-            key = "gcode.start" if breach.line < labelled[0] else "gcode.end"
-            return (
-                f"{key} of the printer {settings.printer.name} leads the head out of its build "
-                f"volume ({settings.printer.bed}): {breach}; change {key} in the printer's profile"
-            )
-    return None
+    outside = [breach for breach in certificate.out_of_bounds if breach.bound == "volume"]
+    if any(labelled[0] <= breach.line <= labelled[-1] for breach in outside):
+        # The print itself leaves it; the sequences may only begin or end out there.
+        return None
+    if not outside:
+        return None
+    key = "gcode.start" if outside[0].line < labelled[0] else "gcode.end"
+    return (
+        f"{key} of the printer {settings.printer.name} leads the head out of its build volume "
+        f"({settings.printer.bed}): {outside[0]}; change {key} in the printer's profile"
+    )
 
 
 def breaches(certificate: Certificate, settings: Settings) -> str:
