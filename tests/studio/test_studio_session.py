@@ -251,6 +251,8 @@ def test_a_number_may_be_a_word_where_the_settings_say_so(talk):
     head, _ = talk.ask("schema")
     (brim,) = (field for field in head["fields"] if field["key"] == "wire.brim_rings")
     assert (brim["kind"], brim["choices"]) == ("integer", ["auto"])
-    talk.edit("set", key="wire.brim_rings", value="auto")
-    state, _ = talk.wait("state", lambda one: one["differs"])
-    assert state["settings"]["wire.brim_rings"] == "auto"
+    for value in (3, "auto"):
+        talk.edit("set", key="wire.brim_rings", value=value)
+        differs = value != "auto"
+        state, _ = talk.wait("state", lambda one, wanted=differs: bool(one["differs"]) == wanted)
+        assert state["settings"]["wire.brim_rings"] == value
