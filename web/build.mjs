@@ -6,7 +6,7 @@ import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const asked = process.argv.indexOf("--to");
-const out = asked < 0 ? join(here, "../python/wireprint/studio/static") : process.argv[asked + 1];
+const out = asked < 0 ? join(here, "../python/wireprint/window/static") : process.argv[asked + 1];
 mkdirSync(out, { recursive: true });
 
 const result = await build({

@@ -7,8 +7,8 @@ from pathlib import Path
 from wireprint.cli.marks import Marks
 from wireprint.cli.options import Chosen
 from wireprint.cli.studio import _source
-from wireprint.studio.answer import decoded
-from wireprint.studio.session import Session
+from wireprint.window.answer import decoded
+from wireprint.window.session import Session
 
 #: How the command places a model unless it is told otherwise.
 AS_IT_IS = {

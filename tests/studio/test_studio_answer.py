@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from wireprint.studio.answer import ALIGNMENT, decoded, encoded
+from wireprint.window.answer import ALIGNMENT, decoded, encoded
 
 ARRAYS = st.sampled_from(["<f4", "<u4", "u1"]).flatmap(
     lambda kind: arrays.arrays(kind, arrays.array_shapes(max_dims=3, min_side=0, max_side=5))

@@ -7,10 +7,10 @@ pytest.importorskip("starlette")
 from starlette.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
-from wireprint.studio.answer import decoded
-from wireprint.studio.gate import Gate
-from wireprint.studio.messages import MOST_BYTES
-from wireprint.studio.server import guarded
+from wireprint.window.answer import decoded
+from wireprint.window.gate import Gate
+from wireprint.window.messages import MOST_BYTES
+from wireprint.window.server import guarded
 
 PORT = 43210
 TOKEN = "a-token-that-nobody-guesses"

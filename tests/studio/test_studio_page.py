@@ -91,7 +91,7 @@ def test_the_page_asks_this_machine_alone_and_says_no_fault(window):
 
 
 def test_the_pages_files_are_small():
-    files = (ROOT / "python/wireprint/studio/static").iterdir()
+    files = (ROOT / "python/wireprint/window/static").iterdir()
     assert sum(file.stat().st_size for file in files) <= 900_000
 
 

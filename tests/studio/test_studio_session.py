@@ -121,7 +121,7 @@ def test_another_printer_is_taken_by_name_but_no_file(talk, cube, tmp_path):
     ],
 )
 def test_what_is_no_message_is_answered_by_a_sentence_and_changes_nothing(talk, content):
-    from wireprint.studio.answer import decoded
+    from wireprint.window.answer import decoded
 
     before = talk.gcode()
     head, _ = decoded(talk.session.handle(content))
@@ -224,7 +224,7 @@ def test_a_print_that_slice_refuses_is_given_by_force_alone(tmp_path):
 
 
 def test_a_page_that_comes_later_is_told_what_is_known(talk):
-    from wireprint.studio.answer import decoded
+    from wireprint.window.answer import decoded
 
     talk.edit("mark", mark=BAND)
     events = [decoded(one)[0]["event"] for one in talk.session.welcome()]

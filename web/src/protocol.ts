@@ -1,4 +1,4 @@
-// What the session says and takes: see python/wireprint/studio/messages.py and session.py.
+// What the session says and takes: see python/wireprint/window/messages.py and session.py.
 export type Point = [number, number, number];
 export type Rows = [number[], number[], number[]];
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from wireprint.cli.marks import Marks
     from wireprint.cli.options import Chosen
     from wireprint.settings import Settings
-    from wireprint.studio.source import Source
+    from wireprint.window.source import Source
 
 #: What the extra brings.
 _NEEDS: Final = ("starlette", "uvicorn", "websockets")
@@ -76,7 +76,7 @@ def _example() -> Iterator[Path]:
 
 
 def _open(model: Path, port: int, browser: bool, options: dict[str, Any]) -> None:
-    from wireprint.studio.address import Address
+    from wireprint.window.address import Address
 
     chosen, marks = chosen_from(options), marks_from(options, [model])
     # What is wrong with the settings is said here, not in the window.
@@ -91,7 +91,7 @@ def _open(model: Path, port: int, browser: bool, options: dict[str, Any]) -> Non
         import webbrowser
 
         webbrowser.open(address.url)
-    from wireprint.studio.server import serve
+    from wireprint.window.server import serve
 
     try:
         serve(_source(model, chosen, marks, options), address)
@@ -102,7 +102,7 @@ def _open(model: Path, port: int, browser: bool, options: dict[str, Any]) -> Non
 def _source(model: Path, chosen: Chosen, marks: Marks, placement: dict[str, Any]) -> Source:
     from wireprint.gcode.document import dated
     from wireprint.streams import is_stream
-    from wireprint.studio.source import Source
+    from wireprint.window.source import Source
 
     def settings(printer: str | None, material: str | None, saved: Settings | None) -> Settings:
         others = replace(

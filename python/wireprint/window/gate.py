@@ -14,8 +14,8 @@ from urllib.parse import parse_qs
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import PlainTextResponse, RedirectResponse, Response
 
-from wireprint.studio.address import secret
-from wireprint.studio.messages import MOST_BYTES
+from wireprint.window.address import secret
+from wireprint.window.messages import MOST_BYTES
 
 if TYPE_CHECKING:
     from starlette.types import ASGIApp, Message, Receive, Scope, Send

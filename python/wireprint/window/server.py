@@ -14,9 +14,9 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocketDisconnect
 
-from wireprint.studio.gate import Gate
-from wireprint.studio.messages import MOST_BYTES
-from wireprint.studio.session import Session
+from wireprint.window.gate import Gate
+from wireprint.window.messages import MOST_BYTES
+from wireprint.window.session import Session
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from starlette.types import ASGIApp
     from starlette.websockets import WebSocket
 
-    from wireprint.studio.address import Address
-    from wireprint.studio.source import Source
+    from wireprint.window.address import Address
+    from wireprint.window.source import Source
 
 #: Path → file in ``static`` and its type. Nothing else is given.
 _FILES: Final = {
@@ -148,7 +148,7 @@ async def _send(websocket: WebSocket, window: _Window) -> None:
 
 async def _file(request: Request) -> Response:
     name, kind = _FILES[request.url.path]
-    content = resources.files("wireprint.studio").joinpath("static", name).read_bytes()
+    content = resources.files("wireprint.window").joinpath("static", name).read_bytes()
     return Response(content, headers={"Content-Type": kind})
 
 

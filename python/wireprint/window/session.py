@@ -16,11 +16,11 @@ from wireprint import catalogue
 from wireprint._core import SettingError, UnprintableError, WireprintError, __version__
 from wireprint.regions import Region, document
 from wireprint.regions.document import MarkEntry
-from wireprint.studio import messages
-from wireprint.studio.answer import encoded
-from wireprint.studio.history import History
-from wireprint.studio.watch import Watch
 from wireprint.text import one_line
+from wireprint.window import messages
+from wireprint.window.answer import encoded
+from wireprint.window.history import History
+from wireprint.window.watch import Watch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from wireprint.hybrid.sketch import Sketch
     from wireprint.regions import Mark
     from wireprint.settings import Settings
-    from wireprint.studio.history import Item, State
-    from wireprint.studio.source import Source
+    from wireprint.window.history import Item, State
+    from wireprint.window.source import Source
 
 #: Prints that are kept for undo and redo, bytes in all.
 _KEPT_BYTES: Final = 1 << 24
@@ -137,7 +137,7 @@ class Session:
             case messages.Open():
                 return self.welcome()[0]
             case messages.Schema():
-                from wireprint.studio import panel
+                from wireprint.window import panel
 
                 return encoded({**head, "fields": panel.fields(), "sections": panel.SECTIONS})
             case messages.Export():
@@ -231,7 +231,7 @@ class Session:
         self._tell("notice", encoded({"event": "notice", "words": words}))
 
     def _tell_state(self, history: History) -> None:
-        from wireprint.studio import panel
+        from wireprint.window import panel
 
         state, settings = history.state, history.settings
         bed, head = settings.printer.bed, settings.printer.head
@@ -328,7 +328,7 @@ class Session:
 
     def _make(self, revision: int, mesh: Mesh, state: State, settings: Settings) -> None:
         """Print a state, tell each part as soon as it is there, and keep all of it."""
-        from wireprint.studio.printing import Printing
+        from wireprint.window.printing import Printing
 
         printing = Printing(
             mesh,

@@ -10,9 +10,9 @@ import numpy as np
 from wireprint import report
 from wireprint.certificate import check
 from wireprint.pipeline import Clock, make
-from wireprint.studio.answer import encoded
-from wireprint.studio.drawing import drawn
 from wireprint.wholeness import is_whole, shortfall
+from wireprint.window.answer import encoded
+from wireprint.window.drawing import drawn
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
