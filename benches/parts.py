@@ -1,9 +1,11 @@
 """Prints random mechanical parts, and tells how many are whole and certified, and what is wrong.
 
-python benches/parts.py [COUNT] [--seed FIRST] [--printer NAME --material NAME] [--kind KIND]
+python benches/parts.py [COUNT] [--solids] [--seed FIRST] [--printer NAME --material NAME]
+    [--kind KIND]
 
-Parts are those of `tests/random_parts.py`, the rules those of `tests/part_rules.py`; a seed is
-always the same part. --stl FOLDER writes the parts that fail, to look at.
+Parts are those of `tests/random_parts.py`, with --solids those of `tests/random_solids.py`, and the
+rules those of `tests/part_rules.py`; a seed is always the same part. --stl FOLDER writes the parts
+that fail, to look at.
 """
 
 import argparse
@@ -22,14 +24,15 @@ sys.path.append(str(shared_models.REPOSITORY / "tests"))
 
 import part_rules
 import random_parts
+import random_solids
 
 #: Seeds that are told for each shortcoming.
 TOLD = 12
 
 
-def judged(machine, seed):
+def judged(machine, of_seed, seed):
     """A part and what is wrong with its print; a fault of ours is a shortcoming like others."""
-    part = random_parts.part(seed)
+    part = of_seed(seed)
     try:
         return part, part_rules.shortcomings(part, shared_models.roomy(machine))
     except Exception as error:
@@ -68,16 +71,16 @@ def main():
     parser.add_argument("--seed", type=int, default=0, help="of the first part")
     parser.add_argument("--printer", default="kossel-mini")
     parser.add_argument("--material", default="abs")
-    parser.add_argument(
-        "--kind", choices=sorted(random_parts.KINDS), help="only parts of this kind"
-    )
+    parser.add_argument("--solids", action="store_true", help="round, slanted and thin shapes")
+    parser.add_argument("--kind", help="only parts of this kind")
     parser.add_argument("--stl", type=Path, help="folder for the parts that fail")
     parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
     seeds = range(options.seed, options.seed + options.count)
+    of_seed = random_solids.solid if options.solids else random_parts.part
     if options.kind:
-        seeds = [seed for seed in seeds if random_parts.part(seed).kind == options.kind]
-    judge = partial(judged, f"{options.printer}/{options.material}")
+        seeds = [seed for seed in seeds if of_seed(seed).kind == options.kind]
+    judge = partial(judged, f"{options.printer}/{options.material}", of_seed)
     with multiprocessing.get_context("spawn").Pool(options.jobs) as pool:
         results = list(pool.imap(judge, seeds))
     print("\n".join(told(results)))

@@ -11,6 +11,7 @@ from wireprint.certificate import check
 from wireprint.gcode import document
 from wireprint.mending import mended
 from wireprint.pipeline import make
+from wireprint.regions import Region, ZRange
 
 #: Caps of a cube of 28 mm span 28 mm; its contours go from post to post.
 STRICT, LOOSE = ["wire.span_limit_mm=24"], ["wire.span_limit_mm=40"]
@@ -44,6 +45,18 @@ def test_too_much_left_out_is_not_written(cube, careless, tmp_path):
     told = json.loads(run("slice", cube, "-o", target, *strict, "--force", "--json").stdout)
     assert told["certified"]
     assert any(part["reason"] == "breaks_rules" for part in told["unprinted"])
+
+
+def test_a_mark_on_a_mended_print_gives_what_it_gives_without_one(cube, careless):
+    mesh, settings = wireprint.load_mesh(cube), Settings.load(overrides=STRICT)
+    mended_first = make(mesh, settings, partial=True)
+    assert mended_first.wireframe.strand_count < mended_first.sketch.plain.strand_count
+    mark = Region().add(ZRange(low_mm=8.0, high_mm=16.0))
+    fresh = make(mesh, settings, mark, partial=True)
+    kept = make(mesh, settings, mark, partial=True, kept=mended_first.sketch)
+    assert kept.gcode == fresh.gcode
+    again = make(mesh, settings, partial=True, kept=kept.sketch)
+    assert again.gcode == mended_first.gcode
 
 
 def test_what_hangs_on_what_is_left_out_goes_with_it(cube):

@@ -76,13 +76,16 @@ class WirePrint:
     #: Where it gives way too easily while it grows; None where that was not asked for, or is too
     #: much work to find out.
     weak: tuple[Weak, ...] | None = None
+    #: The wire print without marks, before strands that break the rules were left out of it: what
+    #: broke them may well be layers once something is marked. None: `wireframe`.
+    planned: Wireframe | None = None
 
     @property
     def sketch(self) -> Sketch:
         """What marks do not change, to be kept for the next print."""
         if self.regions is not None:
             return self.regions.plan.sketch
-        return _sketch(self.mesh, self.wireframe, self.settings)
+        return _sketch(self.mesh, self.planned or self.wireframe, self.settings)
 
     def figures(self) -> dict[str, Any]:
         """Tell what people want to know, under the keys of ``wireprint slice --json``."""
@@ -209,8 +212,8 @@ def make(
     place = placed(mesh, settings) if oversize else fitted(mesh, settings)
     mesh = place.mesh
     with clock.stage("wireframe"):
-        strands = wireframe(mesh, settings) if kept is None else kept.plain
-    regions = None
+        planned = wireframe(mesh, settings) if kept is None else kept.plain
+    strands, regions = planned, None
     if region:
         from wireprint.hybrid.motion import motion
         from wireprint.hybrid.prove import proved
@@ -218,7 +221,7 @@ def make(
         with clock.stage("regions"):
             x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
             moved = region.transformed(motion(given, mesh, (x, y, z + place.turn_deg)))
-            regions = proved(kept or _sketch(mesh, strands, settings), moved)
+            regions = proved(kept or _sketch(mesh, planned, settings), moved)
             strands = regions.wireframe
     if not strands.strand_count:
         left_out = report.unprinted(strands.unprinted, None, settings)
@@ -262,6 +265,7 @@ def make(
         orientation,
         place.turn_deg,
         places,
+        planned,
     )
     if certificate is not None and not partial and not is_whole(certificate, settings):
         raise refusal(certificate, made.unprinted(), settings, attempt)
