@@ -2,6 +2,7 @@
 
 import base64
 import re
+import struct
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -68,6 +69,31 @@ def test_the_header_carries_pictures_of_the_sizes_asked_for(mesh):
     assert [size for size, _ in found] == ["64x48", "32x32"]
     for _, row in found:
         assert base64.b64decode(row[:24]).startswith(b"\x89PNG")
+
+
+def test_the_header_carries_pictures_in_the_forms_that_prusas_printers_read(mesh):
+    sizes = "[[16, 16, 'QOI'], [313, 173, 'QOI'], [440, 240, 'QOI'], [64, 48]]"
+    settings = wireprint.Settings.load(overrides=[f"gcode.thumbnails={sizes}"])
+    text = wireprint.make(mesh, settings).gcode.decode()
+    # As Prusa-Firmware-Buddy looks for them: form and size on the line, base64 until the end.
+    found = re.findall(
+        r"; thumbnail(|_QOI) begin (\d+)x(\d+) (\d+)\n((?:; \S+\n)+); thumbnail\1 end\n", text
+    )
+    assert [(form, int(w), int(h)) for form, w, h, _, _ in found] == [
+        ("_QOI", 16, 16),
+        ("_QOI", 313, 173),
+        ("_QOI", 440, 240),
+        ("", 64, 48),
+    ]
+    for form, width, height, length, rows in found:
+        code = rows.replace("; ", "").replace("\n", "")
+        assert len(code) == int(length)
+        picture = base64.b64decode(code, validate=True)
+        if form:
+            assert picture[:4] == b"qoif"
+            assert struct.unpack(">II", picture[4:12]) == (int(width), int(height))
+        else:
+            assert picture.startswith(b"\x89PNG")
 
 
 def test_threads_may_share_a_mesh(mesh, settings):

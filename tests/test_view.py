@@ -234,6 +234,25 @@ def test_thumbnails_have_the_sizes_asked_for_and_a_transparent_ground():
     assert hue_share(pixels(made[1][2]), view_styles.STYLES["contour"].colour) > SEEN
 
 
+def test_a_thumbnail_in_qoi_shows_what_one_in_png_does():
+    strands = Strands.from_gcode(gcode("CONTOUR", "POST", "CONTOUR"))
+    (_, _, qoi), (_, _, png) = view.thumbnails(strands, [(440, 240, "QOI"), (440, 240)])
+    read = np.asarray(Image.open(io.BytesIO(qoi)).convert("RGBA")).astype(int)
+    other = pixels(png).astype(int)
+    assert read.shape == other.shape == (240, 440, 4)
+    # A PNG file has 64 colours, a QOI file all of them.
+    assert np.abs(read[..., 3] - other[..., 3]).mean() < 2
+    seen = read[..., 3] > 0
+    assert 0 < seen.mean() < 1
+    assert np.abs(read[seen] - other[seen]).mean() < 8
+
+
+def test_a_thumbnail_of_an_unknown_form_is_refused():
+    strands = Strands.from_gcode(gcode("CONTOUR"))
+    with pytest.raises(ValueError, match="PNG or QOI, not JPG"):
+        view.thumbnails(strands, [(32, 32, "JPG")])
+
+
 def test_thumbnails_show_the_object_without_its_skirt():
     alone = view.thumbnails(Strands.from_gcode(gcode("CONTOUR", "POST")))
     skirted = view.thumbnails(Strands.from_gcode(gcode("CONTOUR", "POST", "SKIRT")))

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import difflib
-import re
 import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
-from wireprint import catalogue, toml
+from wireprint import lineage, nozzles, toml
 from wireprint._core import SettingError
+from wireprint.toml import Key
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
+    from wireprint import catalogue
+
 Model = TypeVar("Model", bound=BaseModel)
-Key: TypeAlias = tuple[str, ...]
 Origins: TypeAlias = dict[Key, str]
 
 
@@ -28,19 +29,22 @@ def compose(
     material: str | None,
     load: Iterable[str | Path],
     overrides: Iterable[str],
+    nozzle_mm: float | None = None,
 ) -> Model:
     """Merge the layers from left to right and validate the result.
 
-    A printer or material takes the whole place of that of the base.
+    A printer or material takes the whole place of that of the base; a nozzle comes after them.
     """
     values = dict(base)
     origins: Origins = {}
     if printer is not None:
         values.pop("printer", None)
-        _add_file(values, origins, catalogue.find("printers", printer), ("printer",))
+        _add_profile(values, origins, "printers", printer)
     if material is not None:
         values.pop("material", None)
-        _add_file(values, origins, catalogue.find("materials", material), ("material",))
+        _add_profile(values, origins, "materials", material)
+    if nozzle_mm is not None:
+        _add_nozzle(values, origins, nozzle_mm)
     for path in load:
         _add_loaded(model, values, origins, Path(path))
     for override in overrides:
@@ -67,23 +71,31 @@ def validate(model: type[Model], values: Mapping[str, Any], origins: Origins) ->
         raise SettingError(msg) from None
 
 
-def _add_file(values: dict[str, Any], origins: Origins, path: Path, prefix: Key) -> None:
-    text, table = toml.read(path)
-    _merge(values, _nest(prefix, table))
-    origins[prefix] = f"{path.name}: "
-    for key, line in _lines_of_keys(text):
-        origins[prefix + key] = f"{path.name}:{line}: "
+def _add_profile(values: dict[str, Any], origins: Origins, kind: catalogue.Kind, name: str) -> None:
+    prefix = (kind.removesuffix("s"),)
+    for file in lineage.generations(kind, name):
+        lineage.merge(values, _nest(prefix, file.table))
+        origins[prefix] = f"{file.path.name}: "
+        for key, line in file.lines.items():
+            _note(origins, prefix + key, f"{file.path.name}:{line}: ")
+
+
+def _add_nozzle(values: dict[str, Any], origins: Origins, nozzle_mm: float) -> None:
+    """Lay over a printer what another nozzle changes."""
+    for key, value in nozzles.changed(values.get("printer"), nozzle_mm).items():
+        lineage.merge(values, _nest(("printer", *key), value))
+        _note(origins, ("printer", *key), f"--nozzle {nozzle_mm:g}: ")
 
 
 def _add_loaded(
     model: type[BaseModel], values: dict[str, Any], origins: Origins, path: Path
 ) -> None:
     text, table = toml.read(path)
-    lines = dict(_lines_of_keys(text))
+    lines = dict(toml.lines_of_keys(text))
     for name, value in table.items():
         place = f"{path.name}:{lines.get((name,), 1)}: "
         key = _anchor(model, (name,), place)
-        _merge(values, _nest(key, value))
+        lineage.merge(values, _nest(key, value))
     for key, line in lines.items():
         place = f"{path.name}:{line}: "
         _note(origins, _anchor(model, key, place), place)
@@ -98,7 +110,7 @@ def _add_override(
         msg = f"{place}expected key=value"
         raise SettingError(msg)
     key = _anchor(model, tuple(name.strip().split(".")), place)
-    _merge(values, _nest(key, _value(text.strip())))
+    lineage.merge(values, _nest(key, _value(text.strip())))
     _note(origins, key, place)
 
 
@@ -197,32 +209,3 @@ def _nest(key: Key, value: Any) -> dict[str, Any]:
         value = {part: value}
     nested: dict[str, Any] = value
     return nested
-
-
-def _merge(into: dict[str, Any], layer: Mapping[str, Any]) -> None:
-    for name, value in layer.items():
-        below = into.get(name)
-        if isinstance(below, dict) and isinstance(value, dict):
-            _merge(below, value)
-        else:
-            into[name] = value
-
-
-_TABLE = re.compile(r"\s*\[\s*([\w.\-]+)\s*\]")
-_ENTRY = re.compile(r"\s*([\w.\-]+)\s*=")
-
-
-def _lines_of_keys(text: str) -> Iterable[tuple[Key, int]]:
-    """Yield each table and entry with its line number, which `tomllib` does not tell."""
-    table: Key = ()
-    quotes = ""
-    for number, line in enumerate(text.splitlines(), start=1):
-        if not quotes:
-            if head := _TABLE.match(line):
-                table = tuple(head[1].split("."))
-                yield table, number
-            elif entry := _ENTRY.match(line):
-                yield (*table, *entry[1].split(".")), number
-        for mark in ('"""', "'''"):
-            if quotes in ("", mark) and line.count(mark) % 2:
-                quotes = "" if quotes else mark

@@ -252,7 +252,7 @@ class Strands:
     def thumbnails(
         self,
         palette: Sequence[_Rgb | None],
-        sizes: Sequence[tuple[int, int]],
+        sizes: Sequence[tuple[int, int, str]],
         camera: tuple[float, float, float],
         *,
         margin: float,

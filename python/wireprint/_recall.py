@@ -13,11 +13,11 @@ import os
 import zlib
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from wireprint import catalogue
 from wireprint._core import WireprintError, __version__
 from wireprint.files import written_whole
+from wireprint.lineage import generations
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
@@ -29,12 +29,23 @@ PLACES = 64
 #: What the outcome depends on besides the settings' own text.
 _CODE = tuple(
     Path(__file__).parent / name
-    for name in ("settings.py", "_compose.py", "cooling.py", "gcode/sequence.py")
+    for name in (
+        "settings.py",
+        "_compose.py",
+        "lineage.py",
+        "nozzles.py",
+        "cooling.py",
+        "gcode/sequence.py",
+    )
 )
 
 
 def settings(
-    printer: str, material: str, load: Iterable[str | Path], overrides: Iterable[str]
+    printer: str,
+    material: str,
+    load: Iterable[str | Path],
+    overrides: Iterable[str],
+    nozzle_mm: float | None = None,
 ) -> Settings:
     """Compose settings as `Settings.load` does, from the cache where it knows them.
 
@@ -43,19 +54,27 @@ def settings(
     SettingError
         As `Settings.load`.
     """
-    load, overrides = tuple(load), tuple(overrides)
-    key = _key(printer, material, load, overrides)
+    asked = Asked(printer, material, tuple(load), tuple(overrides), nozzle_mm)
+    key = _key(asked)
     if key is None:
-        return _validated(printer, material, load, overrides)
+        return _validated(asked)
     place = _folder() / f"settings-{zlib.crc32(key.encode()) % PLACES}.json"
     values = _read(place, key)
     if values is None:
-        found = _validated(printer, material, load, overrides)
+        found = _validated(asked)
         _keep(place, key, found)
         return found
-    return cast(
-        "Settings", Recalled(values, lambda: _validated(printer, material, load, overrides))
-    )
+    return cast("Settings", Recalled(values, lambda: _validated(asked)))
+
+
+class Asked(NamedTuple):
+    """What `Settings.load` is asked for."""
+
+    printer: str
+    material: str
+    load: tuple[str | Path, ...]
+    overrides: tuple[str, ...]
+    nozzle_mm: float | None
 
 
 class Recalled:
@@ -149,24 +168,24 @@ def _tuples(value: Any) -> Any:
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
-def _validated(
-    printer: str, material: str, load: Iterable[str | Path], overrides: Iterable[str]
-) -> Settings:
+def _validated(asked: Asked) -> Settings:
     from wireprint.settings import Settings
 
-    return Settings.load(printer, material, load, overrides)
+    return Settings.load(*asked)
 
 
-def _key(
-    printer: str, material: str, load: Iterable[str | Path], overrides: Iterable[str]
-) -> str | None:
+def _key(asked: Asked) -> str | None:
     """Return all that the outcome depends on; None where it cannot be read."""
     try:
-        profiles = (catalogue.find("printers", printer), catalogue.find("materials", material))
-        texts = [Path(path).read_text(encoding="utf-8") for path in (*_CODE, *profiles, *load)]
+        family = [
+            *generations("printers", asked.printer),
+            *generations("materials", asked.material),
+        ]
+        texts = [Path(path).read_text(encoding="utf-8") for path in (*_CODE, *asked.load)]
     except (WireprintError, OSError, ValueError):
         return None
-    return json.dumps([__version__, printer, material, texts, list(overrides)])
+    given = [asked.printer, asked.material, asked.nozzle_mm, list(asked.overrides)]
+    return json.dumps([__version__, *given, [file.text for file in family], texts])
 
 
 def _folder() -> Path:

@@ -364,4 +364,7 @@ def _thumbnails(path: Toolpath, settings: Settings) -> Callable[[], list[Thumbna
     from wireprint import view
 
     drawn = view.begin_thumbnails(view.strands_of(path, settings), sizes)
-    return lambda: [document.Thumbnail(width, height, png) for width, height, png in drawn()]
+    # What is left of a size behind width and height is the picture's form.
+    return lambda: [
+        document.Thumbnail(*made, *size[2:]) for made, size in zip(drawn(), sizes, strict=True)
+    ]

@@ -37,6 +37,8 @@ TravelSpeed = Annotated[float, Field(ge=0.1, le=2000)]
 #: mm³/s; None: the printer's.
 Flow = Annotated[float, Field(ge=0.01, le=500)] | None
 Pixels = Annotated[int, Field(ge=8, le=2000)]
+#: Width, height, and how the picture is written: PNG where that is not said.
+Thumbnail = tuple[Pixels, Pixels] | tuple[Pixels, Pixels, Literal["PNG", "QOI"]]
 SpeedPerAxis = Annotated[tuple[Speed, Speed, Speed, Speed], Field(description="X, Y, Z, E")]
 AccelPerAxis = Annotated[tuple[Accel, Accel, Accel, Accel], Field(description="X, Y, Z, E")]
 StepsPerAxis = tuple[StepsPerMm, StepsPerMm, StepsPerMm, StepsPerMm]
@@ -269,8 +271,10 @@ class Gcode(Section):
     firmware_retraction: bool = Field(
         False, description="G10 and G11, not moves of E; the firmware must know how far"
     )
-    thumbnails: tuple[tuple[Pixels, Pixels], ...] = Field(
-        ((32, 32), (300, 300)), description="width and height of the pictures in the header"
+    thumbnails: tuple[Thumbnail, ...] = Field(
+        ((32, 32), (300, 300)),
+        max_length=20,
+        description="width and height of the pictures in the header, and QOI where that is read",
     )
     start: str = Field(description="heats and homes; may use {nozzle_c}, {bed_c}")
     end: str = Field(description="cools and parks; may use {park_z_mm}, 10 mm above the print")
@@ -645,6 +649,7 @@ class Settings(Section):
         material: str = "abs",
         load: "Iterable[str | Path]" = (),
         overrides: "Iterable[str]" = (),
+        nozzle_mm: float | None = None,
     ) -> Self:
         """Compose settings from profiles, files and single keys; later ones win.
 
@@ -656,6 +661,9 @@ class Settings(Section):
             TOML files with any of the tables ``[bed]`` … ``[gcode]``, ``[material]``, ``[wire]``.
         overrides
             ``key=value`` with a dotted key, such as ``head.slant_deg=40``.
+        nozzle_mm
+            Diameter of another nozzle than the printer's profile has; None: that one. What depends
+            on it changes, too: `wireprint.nozzles.changed`.
 
         Raises
         ------
@@ -664,7 +672,7 @@ class Settings(Section):
         """
         from wireprint import _compose
 
-        return _compose.compose(cls, {}, printer, material, load, overrides)
+        return _compose.compose(cls, {}, printer, material, load, overrides, nozzle_mm)
 
     def but(
         self,
@@ -672,6 +680,7 @@ class Settings(Section):
         material: str | None = None,
         load: "Iterable[str | Path]" = (),
         overrides: "Iterable[str]" = (),
+        nozzle_mm: float | None = None,
     ) -> Self:
         """Return these settings with others laid over them.
 
@@ -679,7 +688,7 @@ class Settings(Section):
         ----------
         printer, material
             As for `load`; None keeps what these settings have.
-        load, overrides
+        load, overrides, nozzle_mm
             As for `load`.
 
         Raises
@@ -690,7 +699,7 @@ class Settings(Section):
         from wireprint import _compose
 
         base = self.model_dump(mode="json")
-        return _compose.compose(type(self), base, printer, material, load, overrides)
+        return _compose.compose(type(self), base, printer, material, load, overrides, nozzle_mm)
 
     @classmethod
     def from_mapping(cls, values: "Mapping[str, Any]") -> Self:

@@ -344,7 +344,7 @@ class Choice:
     def _loaded(self, printer: str | None) -> Settings:
         from wireprint.settings import Settings
 
-        given = {"printer": printer, "material": self.material}
+        given: dict[str, Any] = {"printer": printer, "material": self.material}
         return Settings.load(**{name: value for name, value in given.items() if value is not None})
 
     @cached_property

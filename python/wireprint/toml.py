@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from wireprint._core import SettingError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from pathlib import Path
+
+#: A dotted key, part by part.
+Key: TypeAlias = tuple[str, ...]
 
 #: Settings take a hundredth of it.
 MOST_BYTES: Final = 1 << 20
@@ -45,3 +50,23 @@ def read(path: Path) -> tuple[str, dict[str, Any]]:
     except ValueError:
         msg = f"{path}: not settings: a number has too many digits"
     raise SettingError(msg)
+
+
+_TABLE = re.compile(r"\s*\[\s*([\w.\-]+)\s*\]")
+_ENTRY = re.compile(r"\s*([\w.\-]+)\s*=")
+
+
+def lines_of_keys(text: str) -> Iterable[tuple[Key, int]]:
+    """Yield each table and entry with its line number, which `tomllib` does not tell."""
+    table: Key = ()
+    quotes = ""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not quotes:
+            if head := _TABLE.match(line):
+                table = tuple(head[1].split("."))
+                yield table, number
+            elif entry := _ENTRY.match(line):
+                yield (*table, *entry[1].split(".")), number
+        for mark in ('"""', "'''"):
+            if quotes in ("", mark) and line.count(mark) % 2:
+                quotes = "" if quotes else mark

@@ -345,7 +345,7 @@ def _fill_surface(scene: Scene, shown: Mesh | Model) -> list[Entry]:
 
 
 def thumbnails(
-    strands: Strands, sizes: Iterable[tuple[int, int]] = ((32, 32), (300, 300))
+    strands: Strands, sizes: Iterable[Sequence[Any]] = ((32, 32), (300, 300))
 ) -> list[tuple[int, int, bytes]]:
     """Draw small pictures of the object on a transparent ground, for the head of a G-code file.
 
@@ -354,24 +354,25 @@ def thumbnails(
     strands
         What is shown.
     sizes
-        Width and height of each, pixels.
+        Width and height of each, pixels; with a third part, its form: ``PNG`` or ``QOI``.
 
     Returns
     -------
     list
-        Width, height and PNG file of each.
+        Width, height and file of each.
     """
     return begin_thumbnails(strands, sizes)()
 
 
 def begin_thumbnails(
-    strands: Strands, sizes: Iterable[tuple[int, int]]
+    strands: Strands, sizes: Iterable[Sequence[Any]]
 ) -> Callable[[], list[tuple[int, int, bytes]]]:
     """Begin to draw `thumbnails` beside other work; what is returned waits for them, once."""
     styles = [style_of(label) for label in strands.labels]
     objects = [style.colour if style.is_object else None for style in styles]
-    sizes = list(sizes)
-    drawn = strands.thumbnails(objects, sizes, CAMERAS["iso"], margin=1.0)
+    wanted = [(width, height, *(form or ["PNG"])) for width, height, *form in sizes]
+    drawn = strands.thumbnails(objects, wanted, CAMERAS["iso"], margin=1.0)
     return lambda: [
-        (width, height, png) for (width, height), png in zip(sizes, drawn.files(), strict=True)
+        (width, height, file)
+        for (width, height, _), file in zip(wanted, drawn.files(), strict=True)
     ]

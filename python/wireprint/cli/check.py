@@ -89,7 +89,7 @@ def check(
 def _settings(printer: str | None, overrides: tuple[str, ...]) -> Settings:
     from wireprint.settings import Settings
 
-    chosen = {} if printer is None else {"printer": printer}
+    chosen: dict[str, Any] = {} if printer is None else {"printer": printer}
     return Settings.load(overrides=overrides, **chosen)
 
 

@@ -20,7 +20,7 @@ def materials(_ctx: click.Context, _param: click.Parameter, begun: str) -> list[
     return _beginning(begun, catalogue.names("materials"))
 
 
-def profiles(_ctx: click.Context, _param: click.Parameter, begun: str) -> list[str]:
+def profiles(begun: str) -> list[str]:
     """Names of profiles of any kind that begin so."""
     return _beginning(begun, [name for kind in catalogue.KINDS for name in catalogue.names(kind)])
 

@@ -75,6 +75,12 @@ def settings_options(command: Command) -> Command:
             help="Material's profile.",
         ),
         click.option(
+            "--nozzle",
+            type=float,
+            metavar="MM",
+            help="Another nozzle than the profile's, such as 0.6; what depends on it changes, too.",
+        ),
+        click.option(
             "--load",
             multiple=True,
             type=InputFile(must_be_there=False),
@@ -110,6 +116,8 @@ class Chosen:
     material: str | None
     load: tuple[Path, ...]
     overrides: tuple[str, ...]
+    #: Diameter of the nozzle, mm.
+    nozzle_mm: float | None = None
 
     @property
     def files(self) -> list[Path]:
@@ -133,14 +141,14 @@ class Chosen:
         """Lay what was chosen over a project's settings; any other model has those of profiles."""
         return self.settings() if model.settings is None else self.over(model.settings)
 
-    def _all(self) -> tuple[str, str, tuple[Path, ...], tuple[str, ...]]:
+    def _all(self) -> tuple[str, str, tuple[Path, ...], tuple[str, ...], float | None]:
         printer = self.printer or default("printer")[0]
         material = self.material or default("material")[0]
-        return printer, material, self.load, self.overrides
+        return printer, material, self.load, self.overrides, self.nozzle_mm
 
     def over(self, settings: Settings) -> Settings:
         """Lay what was chosen over other settings, such as a project's."""
-        return settings.but(self.printer, self.material, self.load, self.overrides)
+        return settings.but(self.printer, self.material, self.load, self.overrides, self.nozzle_mm)
 
 
 def chosen_from(options: dict[str, Any]) -> Chosen:
@@ -152,5 +160,9 @@ def chosen_from(options: dict[str, Any]) -> Chosen:
         if value is not None:
             overrides.append(f"{key}={str(value).lower() if name == 'caps' else value}")
     return Chosen(
-        options.pop("printer"), options.pop("material"), options.pop("load"), tuple(overrides)
+        options.pop("printer"),
+        options.pop("material"),
+        options.pop("load"),
+        tuple(overrides),
+        options.pop("nozzle"),
     )

@@ -39,11 +39,13 @@ _PARK_MM = 10.0
 
 @dataclass(frozen=True)
 class Thumbnail:
-    """A small picture for the file list of a printer's host."""
+    """A small picture for the file list of a printer or its host."""
 
     width: int
     height: int
-    png: bytes
+    #: The bytes of a file.
+    picture: bytes
+    form: str = "PNG"
 
 
 def dated(model: Path | None) -> datetime:
@@ -208,14 +210,16 @@ def duration(seconds: float) -> str:
 
 
 def _thumbnail_lines(thumbnail: Thumbnail) -> list[str]:
-    code = base64.b64encode(thumbnail.png).decode()
+    code = base64.b64encode(thumbnail.picture).decode()
+    # Prusa's firmware looks for its own form by this name.
+    name = "thumbnail" if thumbnail.form == "PNG" else f"thumbnail_{thumbnail.form}"
     columns = _THUMBNAIL_COLUMNS
     rows = [code[start : start + columns] for start in range(0, len(code), columns)]
     size = f"{thumbnail.width}x{thumbnail.height}"
     return [
-        f"; thumbnail begin {size} {len(code)}",
+        f"; {name} begin {size} {len(code)}",
         "; " + "\n; ".join(rows),
-        "; thumbnail end",
+        f"; {name} end",
         "",
     ]
 

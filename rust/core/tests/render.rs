@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 use wireprint_core::render::{
-    Camera, Facet, Frame, Image, Rgb, Scene, Stroke, Width, render, thumbnails,
+    Camera, Facet, Form, Frame, Image, Rgb, Scene, Stroke, Width, render, thumbnails,
 };
 use wireprint_core::{CoreError, Result};
 
@@ -220,7 +220,17 @@ fn what_cannot_be_drawn_is_refused_by_name() {
 
 /// One thumbnail, 10 pixels from the edge, decoded.
 fn thumbnail(strokes: &[Stroke], camera: &Camera, width: usize, height: usize) -> Result<Image> {
-    let files = thumbnails(&scene(strokes), camera, &[(width, height)], 10.0)?;
+    thumbnail_with_margin(strokes, camera, (width, height), 10.0)
+}
+
+/// One thumbnail, decoded.
+fn thumbnail_with_margin(
+    strokes: &[Stroke],
+    camera: &Camera,
+    (width, height): (usize, usize),
+    margin: f64,
+) -> Result<Image> {
+    let files = thumbnails(&scene(strokes), camera, &[(width, height, Form::Png)], margin)?;
     let mut decoder = png::Decoder::new(std::io::Cursor::new(&files[0]));
     decoder.set_transformations(png::Transformations::EXPAND);
     let failed = |error: png::DecodingError| CoreError::Io(std::io::Error::other(error));
@@ -273,4 +283,77 @@ fn a_thumbnail_shows_where_a_strand_passes_before_the_far_end_of_a_longer_one() 
 fn sizes_of_thumbnails_are_checked_like_those_of_pictures() {
     let strand = tube([0.0; 3], [1.0; 3], RED);
     assert!(matches!(thumbnail(&[strand], &FRONT, 0, 10), Err(CoreError::Setting(_))));
+}
+
+/// The pixels of a QOI file, as the specification has a decoder read them.
+fn pixels_of_qoi(file: &[u8]) -> Vec<[u8; 4]> {
+    let side = |at: usize| u32::from_be_bytes([file[at], file[at + 1], file[at + 2], file[at + 3]]);
+    assert_eq!((&file[..4], file[12], file[13]), (b"qoif".as_slice(), 4, 0));
+    let count = (side(4) * side(8)) as usize;
+    let (mut seen, mut pixel, mut at) = ([[0_u8; 4]; 64], [0_u8, 0, 0, 255], 14);
+    let mut pixels = Vec::new();
+    while pixels.len() < count {
+        let byte = file[at];
+        let mut repeats = 1;
+        at += 1;
+        match (byte, byte >> 6) {
+            (0xff, _) => {
+                pixel = [file[at], file[at + 1], file[at + 2], file[at + 3]];
+                at += 4;
+            }
+            (0xfe, _) => {
+                pixel = [file[at], file[at + 1], file[at + 2], pixel[3]];
+                at += 3;
+            }
+            (_, 0) => pixel = seen[usize::from(byte)],
+            (_, 1) => {
+                for (channel, shift) in [4, 2, 0].into_iter().enumerate() {
+                    let difference = (byte >> shift & 3).wrapping_sub(2);
+                    pixel[channel] = pixel[channel].wrapping_add(difference);
+                }
+            }
+            (_, 2) => {
+                let green = (byte & 63).wrapping_sub(32);
+                let (red, blue) = (file[at] >> 4, file[at] & 15);
+                pixel[0] = pixel[0].wrapping_add(green.wrapping_add(red).wrapping_sub(8));
+                pixel[1] = pixel[1].wrapping_add(green);
+                pixel[2] = pixel[2].wrapping_add(green.wrapping_add(blue).wrapping_sub(8));
+                at += 1;
+            }
+            _ => repeats = usize::from(byte & 63) + 1,
+        }
+        let weights = [3, 5, 7, 11];
+        let sum: usize = pixel.iter().zip(weights).map(|(&c, w)| usize::from(c) * w).sum();
+        seen[sum % 64] = pixel;
+        pixels.extend(std::iter::repeat_n(pixel, repeats));
+    }
+    assert_eq!(pixels.len(), count);
+    assert_eq!(&file[at..], [0, 0, 0, 0, 0, 0, 0, 1]);
+    pixels
+}
+
+#[test]
+fn a_qoi_file_holds_the_very_pixels_that_a_png_file_is_made_from() -> Result<()> {
+    let strokes = [
+        tube([-9.0, -4.0, 5.0], [9.0, -4.0, 5.0], RED),
+        tube([0.0, 4.0, 1.0], [0.0, 4.0, 9.0], BLUE),
+    ];
+    for (width, height) in [(16, 16), (313, 173), (440, 240), (1, 1)] {
+        let size = [(width, height, Form::Qoi)];
+        let files = thumbnails(&scene(&strokes), &FRONT, &size, 1.0)?;
+        let pixels = pixels_of_qoi(&files[0]);
+        // A PNG file has few colours, each the mean of those it stands for.
+        let png = thumbnail_with_margin(&strokes, &FRONT, (width, height), 1.0)?;
+        let off = |(a, b): (&[u8; 4], &[u8])| {
+            if a[3] == 0 && b[3] == 0 {
+                return 0.0;
+            }
+            (0..4).map(|i| f64::from(a[i].abs_diff(b[i]))).fold(0.0, f64::max)
+        };
+        let mean =
+            pixels.iter().zip(png.rgba.chunks(4)).map(off).sum::<f64>() / pixels.len() as f64;
+        assert!(mean < 8.0, "{width}×{height}: {mean}");
+        assert!(pixels.iter().any(|p| p[3] > 0) || width == 1);
+    }
+    Ok(())
 }

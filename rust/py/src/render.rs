@@ -8,7 +8,7 @@ use std::thread;
 
 use glam::DVec3;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use wireprint_core::render::{self, Camera, Frame, Image, Rgb, Width};
@@ -135,11 +135,17 @@ impl Strands {
     fn thumbnails(
         &self,
         palette: Vec<Option<Rgb>>,
-        sizes: Vec<(usize, usize)>,
+        sizes: Vec<(usize, usize, String)>,
         camera: (f64, f64, f64),
         margin: f64,
     ) -> PyResult<Thumbnails> {
         self.check(&palette)?;
+        let size = |(width, height, form): (usize, usize, String)| match form.as_str() {
+            "PNG" => Ok((width, height, render::Form::Png)),
+            "QOI" => Ok((width, height, render::Form::Qoi)),
+            _ => Err(PyValueError::new_err(format!("a picture's form is PNG or QOI, not {form}"))),
+        };
+        let sizes = sizes.into_iter().map(size).collect::<PyResult<Vec<_>>>()?;
         let (strands, camera) = (Arc::clone(&self.core), view_from(camera));
         let draw = move || {
             let mut scene = render::Scene::default();

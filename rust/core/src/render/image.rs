@@ -2,6 +2,7 @@
 
 use super::deflate::{PART, zlib};
 use super::indexed::Colours;
+use super::qoi;
 use super::scene::Rgb;
 use crate::error::{CoreError, Result};
 
@@ -52,6 +53,15 @@ impl Frame {
         }
         Ok(())
     }
+}
+
+/// How the bytes of a small picture are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A PNG file of at most 64 colours: [`Image::thumbnail_png`].
+    Png,
+    /// A QOI file, which Prusa's printers show.
+    Qoi,
 }
 
 /// A rendered picture.
@@ -105,6 +115,18 @@ impl Image {
             encoder.set_trns(alphas);
         };
         self.encode(set, |writer| writer.write_chunk(png::chunk::IDAT, &data))
+    }
+
+    /// The picture as the bytes of a file of a form.
+    ///
+    /// # Errors
+    /// [`CoreError::Io`] where the encoder fails.
+    pub fn thumbnail(&self, form: Form) -> Result<Vec<u8>> {
+        match form {
+            Form::Png => self.thumbnail_png(),
+            // A frame's sides are bounded, so they fit.
+            Form::Qoi => Ok(qoi::encoded(self.width as u32, self.height as u32, &self.rgba)),
+        }
     }
 
     /// Writes a PNG file of one byte a channel: `set` chooses the colours, `write` the pixels.

@@ -11,6 +11,7 @@ mod camera;
 mod deflate;
 mod image;
 mod indexed;
+mod qoi;
 mod raster;
 mod sample;
 mod scene;
@@ -25,7 +26,7 @@ mod triangle;
 
 pub use camera::Camera;
 use camera::Projector;
-pub use image::{Frame, Image};
+pub use image::{Form, Frame, Image};
 pub use scene::{Facet, Rgb, Scene, Stroke, Width};
 pub use strands::Strands;
 
@@ -45,27 +46,23 @@ pub fn render(scene: &Scene, camera: &Camera, frame: &Frame) -> Result<Image> {
     Ok(raster::paint(&scenes, &projector, frame))
 }
 
-/// Renders the strokes of `scene` in small pictures of these widths and heights, `margin` pixels
-/// from the edge, on a transparent ground, as the bytes of PNG files ([`Image::thumbnail_png`]).
+/// Renders the strokes of `scene` in small pictures of these widths, heights and forms, `margin`
+/// pixels from the edge, on a transparent ground, as the bytes of files.
 ///
 /// # Errors
 /// As [`render`], and [`CoreError::Io`] where the encoder fails.
 pub fn thumbnails(
     scene: &Scene,
     camera: &Camera,
-    sizes: &[(usize, usize)],
+    sizes: &[(usize, usize, Form)],
     margin: f64,
 ) -> Result<Vec<Vec<u8>>> {
     check(scene, camera)?;
-    let frame = |&(width, height): &(usize, usize)| Frame {
-        width,
-        height,
-        supersample: 1,
-        margins: [margin; 4],
-        ground: None,
+    let frame = |&(width, height, form): &(usize, usize, Form)| {
+        (Frame { width, height, supersample: 1, margins: [margin; 4], ground: None }, form)
     };
-    let frames: Vec<Frame> = sizes.iter().map(frame).collect();
-    frames.iter().try_for_each(Frame::check)?;
+    let frames: Vec<(Frame, Form)> = sizes.iter().map(frame).collect();
+    frames.iter().try_for_each(|(frame, _)| frame.check())?;
     thumbnail::files(scene, camera, &frames)
 }
 

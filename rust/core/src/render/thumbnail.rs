@@ -7,7 +7,7 @@ use glam::Vec4;
 use rayon::prelude::*;
 
 use super::camera::{Camera, Projector};
-use super::image::{Frame, Image};
+use super::image::{Form, Frame, Image};
 use super::scene::Scene;
 use super::shade::Shader;
 use super::shrink::{can_shrink, shrink};
@@ -29,20 +29,24 @@ struct Canvas {
     width: usize,
 }
 
-/// Small PNG files of a scene's strokes; a much smaller picture is a larger one, scaled down.
-pub(super) fn files(scene: &Scene, camera: &Camera, frames: &[Frame]) -> Result<Vec<Vec<u8>>> {
+/// Small files of a scene's strokes, each of its form; a much smaller picture is a larger one, scaled down.
+pub(super) fn files(
+    scene: &Scene,
+    camera: &Camera,
+    frames: &[(Frame, Form)],
+) -> Result<Vec<Vec<u8>>> {
     let mut largest_first: Vec<usize> = (0..frames.len()).collect();
-    largest_first.sort_by_key(|&i| Reverse(frames[i].width));
+    largest_first.sort_by_key(|&i| Reverse(frames[i].0.width));
     let mut painted: Vec<Image> = Vec::new();
     for &i in &largest_first {
-        if source(&painted, &frames[i]).is_none() {
-            painted.push(paint(scene, camera, &frames[i]));
+        if source(&painted, &frames[i].0).is_none() {
+            painted.push(paint(scene, camera, &frames[i].0));
         }
     }
-    let file = |frame: &Frame| match source(&painted, frame) {
-        Some(image) if image.width == frame.width => image.thumbnail_png(),
-        Some(larger) => shrink(larger, frame.width, frame.height).thumbnail_png(),
-        None => paint(scene, camera, frame).thumbnail_png(),
+    let file = |(frame, form): &(Frame, Form)| match source(&painted, frame) {
+        Some(image) if image.width == frame.width => image.thumbnail(*form),
+        Some(larger) => shrink(larger, frame.width, frame.height).thumbnail(*form),
+        None => paint(scene, camera, frame).thumbnail(*form),
     };
     // This thread begins with the largest file at once; others take the rest when they are awake.
     let files = largest_first.par_iter().map(|&i| Ok((i, file(&frames[i])?)));
