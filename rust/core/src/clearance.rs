@@ -5,15 +5,13 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::cells::Cells;
 use crate::head::Head;
 
 /// Strands in a grid over the plane.
 #[derive(Debug)]
 pub struct Material {
-    origin: DVec2,
-    cell: f64,
-    columns: usize,
-    rows: usize,
+    grid: Cells,
     cells: Vec<Vec<u32>>,
     filled: Vec<usize>,
     strands: Vec<Laid>,
@@ -36,15 +34,10 @@ impl Material {
     #[must_use]
     pub fn new(low: DVec2, high: DVec2, cell: f64) -> Self {
         let size = (high - low).max(DVec2::splat(1.0));
-        let cell = cell.max(size.max_element() / MOST_CELLS);
-        let (columns, rows) =
-            ((size.x / cell).ceil() as usize + 1, (size.y / cell).ceil() as usize + 1);
+        let grid = Cells::new(low, low + size, cell.max(size.max_element() / MOST_CELLS));
         Self {
-            origin: low,
-            cell,
-            columns,
-            rows,
-            cells: vec![Vec::new(); columns * rows],
+            cells: vec![Vec::new(); grid.count()],
+            grid,
             filled: Vec::new(),
             strands: Vec::new(),
             top: f64::NEG_INFINITY,
@@ -64,12 +57,13 @@ impl Material {
     pub fn add(&mut self, from: DVec3, to: DVec3) {
         let id = self.strands.len() as u32;
         self.top = self.top.max(from.z).max(to.z);
-        let (columns, rows) = self.span(from.truncate(), to.truncate(), 0.0);
+        let (low, high) = (from.min(to).truncate(), from.max(to).truncate());
+        let (columns, rows) = self.grid.span(low, high);
         let (column, row) = (*columns.start(), *rows.start());
         self.strands.push(Laid { ends: [from, to], column, row });
         for row in rows {
             for column in columns.clone() {
-                let index = row * self.columns + column;
+                let index = self.grid.number(column, row);
                 if self.cells[index].is_empty() {
                     self.filled.push(index);
                 }
@@ -86,35 +80,20 @@ impl Material {
             return false;
         }
         let reach = head.reach_at(rise);
-        let (columns, rows) = self.span(from.truncate(), to.truncate(), reach);
-        let (left, low) = (*columns.start(), *rows.start());
+        let (low, high) = (from.min(to).truncate(), from.max(to).truncate());
+        let (columns, rows) = self.grid.span(low - reach, high + reach);
+        let (left, bottom) = (*columns.start(), *rows.start());
         rows.into_iter().any(|row| {
             columns.clone().any(|column| {
-                self.cells[row * self.columns + column].iter().any(|&id| {
+                self.cells[self.grid.number(column, row)].iter().any(|&id| {
                     let strand = &self.strands[id as usize];
                     // Several cells list it: it is tested in the first of them.
                     strand.column.max(left) == column
-                        && strand.row.max(low) == row
+                        && strand.row.max(bottom) == row
                         && head.deeper_than(tolerance, [from, to], strand.ends).is_some()
                 })
             })
         })
-    }
-
-    /// Columns and rows of the cells that a segment's box, widened by `reach`, covers.
-    fn span(
-        &self,
-        a: DVec2,
-        b: DVec2,
-        reach: f64,
-    ) -> (std::ops::RangeInclusive<usize>, std::ops::RangeInclusive<usize>) {
-        let low = (a.min(b) - reach - self.origin) / self.cell;
-        let high = (a.max(b) + reach - self.origin) / self.cell;
-        let clamp = |v: f64, most: usize| (v.max(0.0) as usize).min(most - 1);
-        (
-            clamp(low.x, self.columns)..=clamp(high.x, self.columns),
-            clamp(low.y, self.rows)..=clamp(high.y, self.rows),
-        )
     }
 }
 

@@ -1,5 +1,6 @@
 //! Plane geometry that every stage shares; it knows of no stage.
 
+pub mod cells;
 pub mod curve;
 pub mod disjoint_sets;
 pub mod extents;

@@ -4,6 +4,8 @@
 
 use glam::DVec2;
 
+use crate::geometry::cells::Cells;
+
 /// The grid has at most about this many cells a side.
 const MOST_CELLS: f64 = 512.0;
 
@@ -19,10 +21,7 @@ struct Part {
 /// Figures, each of some polylines, and which of them still wait.
 #[derive(Debug)]
 pub struct Waiting {
-    origin: DVec2,
-    cell: f64,
-    columns: usize,
-    rows: usize,
+    grid: Cells,
     /// Parts whose boxes reach into each cell.
     cells: Vec<Vec<u32>>,
     parts: Vec<Part>,
@@ -53,14 +52,13 @@ impl Waiting {
             .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |b, p| (b.0.min(p.low), b.1.max(p.high)));
         let size = if parts.is_empty() { DVec2::ONE } else { (high - low).max(DVec2::ONE) };
         let even = (size.x * size.y / parts.len().max(1) as f64).sqrt();
-        let cell = even.max(size.max_element() / MOST_CELLS);
-        let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
-        let cells = vec![Vec::new(); columns * rows];
-        let origin = if parts.is_empty() { DVec2::ZERO } else { low };
-        let mut waiting = Self { origin, cell, columns, rows, cells, parts, taken, nowhere };
+        let side = even.max(size.max_element() / MOST_CELLS);
+        let grid = Cells::new(low, low + size, side);
+        let cells = vec![Vec::new(); grid.count()];
+        let mut waiting = Self { grid, cells, parts, taken, nowhere };
         for id in 0..waiting.parts.len() {
             let (from, to) = (waiting.parts[id].low, waiting.parts[id].high);
-            for index in waiting.indices(from, to) {
+            for index in waiting.grid.numbers(from, to) {
                 waiting.cells[index].push(id as u32);
             }
         }
@@ -82,7 +80,7 @@ impl Waiting {
     /// Whether the box of a waiting polyline comes nearer to a box than `reach` mm.
     #[must_use]
     pub fn is_near(&self, low: DVec2, high: DVec2, reach: f64) -> bool {
-        self.indices(low - reach, high + reach).any(|index| {
+        self.grid.numbers(low - reach, high + reach).any(|index| {
             self.cells[index].iter().map(|&id| &self.parts[id as usize]).any(|part| {
                 let apart = (part.low - high).max(low - part.high).max_element();
                 !self.taken[part.figure] && apart < reach
@@ -92,9 +90,9 @@ impl Waiting {
 
     /// Looks through the cells around a place, ring by ring.
     fn nearest(&mut self, at: DVec2) -> Option<usize> {
-        let (column, row) = self.place(at);
+        let (column, row) = self.grid.place(at);
         let mut best: Option<(f64, usize)> = None;
-        for ring in 0..self.columns.max(self.rows) {
+        for ring in 0..self.grid.columns().max(self.grid.rows()) {
             for index in self.ring(column, row, ring) {
                 let (parts, taken) = (&self.parts, &self.taken);
                 self.cells[index].retain(|&id| !taken[parts[id as usize].figure]);
@@ -113,7 +111,7 @@ impl Waiting {
                 }
             }
             // What lies outside of this ring is farther away than so many cells.
-            if best.is_some_and(|b| b.0 < (ring as f64 * self.cell).powi(2)) {
+            if best.is_some_and(|b| b.0 < (ring as f64 * self.grid.side()).powi(2)) {
                 break;
             }
         }
@@ -122,30 +120,19 @@ impl Waiting {
 
     /// The cells at a distance of `ring` cells from one of them.
     fn ring(&self, column: usize, row: usize, ring: usize) -> Vec<usize> {
-        let columns = column.saturating_sub(ring)..=(column + ring).min(self.columns - 1);
-        let rows = row.saturating_sub(ring)..=(row + ring).min(self.rows - 1);
+        let columns = column.saturating_sub(ring)..=(column + ring).min(self.grid.columns() - 1);
+        let rows = row.saturating_sub(ring)..=(row + ring).min(self.grid.rows() - 1);
         let mut found = Vec::new();
         for r in rows {
             if r.abs_diff(row) == ring {
-                found.extend(columns.clone().map(|c| r * self.columns + c));
+                found.extend(columns.clone().map(|c| self.grid.number(c, r)));
                 continue;
             }
             let sides = [column.checked_sub(ring), (ring > 0).then_some(column + ring)];
-            let within = sides.into_iter().flatten().filter(|&c| c < self.columns);
-            found.extend(within.map(|c| r * self.columns + c));
+            let within = sides.into_iter().flatten().filter(|&c| c < self.grid.columns());
+            found.extend(within.map(|c| self.grid.number(c, r)));
         }
         found
-    }
-
-    fn place(&self, p: DVec2) -> (usize, usize) {
-        let at = ((p - self.origin) / self.cell).max(DVec2::ZERO);
-        ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1))
-    }
-
-    fn indices(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = usize> + use<> {
-        let ((left, bottom), (right, top)) = (self.place(low), self.place(high));
-        let width = self.columns;
-        (bottom..=top).flat_map(move |row| (left..=right).map(move |column| row * width + column))
     }
 }
 

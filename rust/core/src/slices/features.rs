@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// What happens at a feature height.
@@ -160,7 +161,7 @@ fn sweep(order: &Order, sweep: Sweep) -> Vec<Pair> {
     let count = order.vertices.len();
     let (begins, firsts) = joins(order, sweep);
     // Components are sets of turns, each rooted at its oldest.
-    let mut parent: Vec<u32> = (0..count as u32).collect();
+    let mut sets = UnionFind::new(count);
     let mut pairs = Vec::new();
     let pair = |extremum: u32, saddle: Option<usize>| Pair {
         extremum: order.vertex(extremum as usize, sweep),
@@ -169,13 +170,13 @@ fn sweep(order: &Order, sweep: Sweep) -> Vec<Pair> {
     for late in 0..count {
         let mut root = late as u32;
         for &first in &firsts[begins[late] as usize..begins[late + 1] as usize] {
-            let other = find(&mut parent, first);
+            let other = sets.find(first);
             let (elder, extremum) = (root.min(other), root.max(other));
             if elder != extremum {
                 if extremum as usize != late {
                     pairs.push(pair(extremum, Some(late)));
                 }
-                parent[extremum as usize] = elder;
+                sets.join_alone(elder, extremum);
                 root = elder;
             }
         }
@@ -185,7 +186,7 @@ fn sweep(order: &Order, sweep: Sweep) -> Vec<Pair> {
     for &first in &firsts {
         has_faces[first as usize] = true;
     }
-    let last = |&turn: &u32| parent[turn as usize] == turn && has_faces[turn as usize];
+    let last = |&turn: &u32| sets.find(turn) == turn && has_faces[turn as usize];
     pairs.extend((0..count as u32).filter(last).map(|turn| pair(turn, None)));
     pairs
 }
@@ -211,14 +212,6 @@ fn joins(order: &Order, sweep: Sweep) -> (Vec<u32>, Vec<u32>) {
         }
     }
     (begins, firsts)
-}
-
-fn find(parent: &mut [u32], mut v: u32) -> u32 {
-    while parent[v as usize] != v {
-        parent[v as usize] = parent[parent[v as usize] as usize];
-        v = parent[v as usize];
-    }
-    v
 }
 
 /// Multiplicity of each vertex as a saddle: half the sign changes around its link, less one.

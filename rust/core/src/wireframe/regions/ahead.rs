@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::cells::Cells;
 use crate::head::Head;
 use crate::wireframe::regions::layered::Line;
 
@@ -9,9 +10,7 @@ use crate::wireframe::regions::layered::Line;
 #[derive(Debug, Default)]
 pub struct Ahead {
     moves: Vec<[DVec3; 2]>,
-    origin: DVec2,
-    columns: usize,
-    rows: usize,
+    grid: Cells,
     /// Moves sorted by the cell of their middle, and where each cell's begin.
     sorted: Vec<u32>,
     begins: Vec<u32>,
@@ -32,15 +31,12 @@ impl Ahead {
         let moves: Vec<[DVec3; 2]> = lines.iter().flat_map(parts).collect();
         let half = moves.iter().map(|m| m[0].distance(m[1])).fold(0.0, f64::max) / 2.0;
         let lowest = moves.iter().map(|m| m[0].z.min(m[1].z)).fold(f64::INFINITY, f64::min);
-        let size = ((high - low) / CELL).max(DVec2::ZERO);
-        let (columns, rows) = (size.x as usize + 1, size.y as usize + 1);
+        let grid = Cells::new(low, high, CELL);
         let mut ahead = Self {
-            origin: low,
-            columns,
-            rows,
+            begins: vec![0; grid.count() + 1],
+            grid,
             half,
             lowest,
-            begins: vec![0; columns * rows + 1],
             sorted: vec![0; moves.len()],
             moves,
         };
@@ -50,7 +46,8 @@ impl Ahead {
 
     /// Brings the moves into the order of their cells (counting sort).
     fn sort(&mut self) {
-        let cells: Vec<usize> = self.moves.iter().map(|m| self.cell_of(m)).collect();
+        let middle = |[a, b]: &[DVec3; 2]| (a.truncate() + b.truncate()) / 2.0;
+        let cells: Vec<usize> = self.moves.iter().map(|m| self.grid.of(middle(m))).collect();
         for &cell in &cells {
             self.begins[cell + 1] += 1;
         }
@@ -64,16 +61,6 @@ impl Ahead {
         }
     }
 
-    fn cell_of(&self, [a, b]: &[DVec3; 2]) -> usize {
-        let (column, row) = self.place((a.truncate() + b.truncate()) / 2.0);
-        row * self.columns + column
-    }
-
-    fn place(&self, p: DVec2) -> (usize, usize) {
-        let at = ((p - self.origin) / CELL).max(DVec2::ZERO);
-        ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1))
-    }
-
     /// Whether a strand would be driven deeper than `tolerance` mm into the head later on.
     #[must_use]
     pub fn is_barred_by(&self, head: &Head, from: DVec3, to: DVec3, tolerance: f64) -> bool {
@@ -83,10 +70,10 @@ impl Ahead {
         }
         let reach = head.reach_at(rise) + self.half;
         let (a, b) = (from.truncate(), to.truncate());
-        let (low, high) = (self.place(a.min(b) - reach), self.place(a.max(b) + reach));
-        (low.1..=high.1).any(|row| {
-            let begin = self.begins[row * self.columns + low.0] as usize;
-            let end = self.begins[row * self.columns + high.0 + 1] as usize;
+        let (columns, mut rows) = self.grid.span(a.min(b) - reach, a.max(b) + reach);
+        rows.any(|row| {
+            let begin = self.begins[self.grid.number(*columns.start(), row)] as usize;
+            let end = self.begins[self.grid.number(*columns.end(), row) + 1] as usize;
             self.sorted[begin..end].iter().any(|&number| {
                 let step = self.moves[number as usize];
                 head.deeper_than(tolerance, step, [from, to]).is_some()
