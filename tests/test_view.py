@@ -126,8 +126,8 @@ def test_a_strand_is_as_thick_as_its_filament_makes_it():
 
 def test_strands_and_travels_are_replayed_in_order():
     strands = Strands.from_gcode(gcode("CONTOUR", "POST"))
-    assert strands.segments.tolist() == [[0, 0, 5, 40, 0, 5], [0, 0, 15, 40, 0, 15]]
-    assert strands.travels.tolist() == [[0, 0, 0, 0, 0, 5], [40, 0, 5, 0, 0, 15]]
+    assert strands.segments.tolist() == [[[0, 0, 5], [40, 0, 5]], [[0, 0, 15], [40, 0, 15]]]
+    assert strands.travels.tolist() == [[[0, 0, 0], [0, 0, 5]], [[40, 0, 5], [0, 0, 15]]]
     assert strands.travel_after.tolist() == [0, 1]
     assert strands.lengths == [0.0, 40.0, 40.0]
     assert strands.bounds(["post"]) == ((0, 0, 15), (40, 0, 15))

@@ -67,7 +67,7 @@ def test_coordinates_arrive_within_a_step(strands):
     span = np.array(data["span"])
     positions = data["low"] + ends / STEPS * span
     assert data["strand_count"] == 2
-    assert np.abs(positions - strands.segments.reshape(-1, 2, 3)).max() <= span.max() / STEPS
+    assert np.abs(positions - strands.segments).max() <= span.max() / STEPS
 
 
 def test_diameters_arrive_within_a_step(strands):

@@ -93,7 +93,7 @@ class Page:
         of_label[[colour is None for colour in colours]] = -1
         kind = of_label[strands.features]
         shown = kind >= 0
-        ends = strands.segments[shown].reshape(-1, 2, 3)
+        ends = strands.segments[shown]
         self._fit(ends.reshape(-1, 3))
         packed = np.zeros(len(ends), [("ends", "<u2", (2, 3)), ("style", "u1", 2), ("pad", "<u2")])
         packed["ends"] = self._quantised(ends)

@@ -54,7 +54,7 @@ def drawn(made: WirePrint, given: Mesh) -> tuple[dict[str, Any], Arrays]:
     assert certificate is not None, "only prints that were judged are drawn"  # noqa: S101
     core = certificate.core
     centre = np.array([*made.settings.printer.bed.centre_mm, 0.0])
-    ends = core.strands.reshape(-1, 2, 3) - centre
+    ends = core.strands - centre
     lines = core.strand_lines.astype(np.int64)
     begin, end, total_s = _times(made, lines)
     slabs = _slabs(made.gcode, lines)

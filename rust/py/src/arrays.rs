@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use numpy::ndarray::ArrayView1;
-use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::errors::ModelError;
@@ -25,6 +25,21 @@ pub fn matrix<T: Element>(
 ) -> PyResult<Bound<'_, PyArray2<T>>> {
     let rows = values.len() / columns;
     let array = PyArray1::from_vec(py, values).reshape([rows, columns])?;
+    array.readwrite().make_nonwriteable();
+    Ok(array)
+}
+
+/// Segments, by their ends, as a read-only float64 array of shape (N, 2, 3).
+///
+/// # Errors
+/// Whatever Python raises.
+pub fn segments(
+    py: Python<'_>,
+    segments: impl IntoIterator<Item = [DVec3; 2]>,
+) -> PyResult<Bound<'_, PyArray3<f64>>> {
+    let flat: Vec<f64> = segments.into_iter().flatten().flat_map(|p| p.to_array()).collect();
+    let rows = flat.len() / 6;
+    let array = PyArray1::from_vec(py, flat).reshape([rows, 2, 3])?;
     array.readwrite().make_nonwriteable();
     Ok(array)
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use glam::{DVec2, DVec3};
-use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray3, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use serde::Deserialize;
@@ -197,7 +197,7 @@ impl Certificate {
     /// Ends of the strands as commanded, mm, read-only float64 of shape (N, 2, 3).
     #[getter]
     fn strands<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        segments(py, self.core.strands.iter().copied())
+        arrays::segments(py, self.core.strands.iter().copied())
     }
 
     /// Line of each strand, read-only uint64 of shape (N,).
@@ -265,13 +265,7 @@ impl Certificate {
     /// What the strands relax to, chords where they hang, mm, read-only float64 of shape (M, 2, 3).
     #[getter]
     fn relaxed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        segments(py, self.core.relaxed.iter().map(|piece| piece.ends))
-    }
-
-    /// Index into `strands` of the strand in which each piece of `relaxed` ends, uint32 (M,).
-    #[getter]
-    fn relaxed_strands<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
-        arrays::vector(py, self.core.relaxed.iter().map(|piece| piece.strand).collect())
+        arrays::segments(py, self.core.relaxed.iter().map(|piece| piece.ends))
     }
 }
 
@@ -297,17 +291,6 @@ pub fn require_positive(name: &str, value: f64) -> PyResult<()> {
 
 fn loose_ends(ends: &[LooseEnd]) -> Vec<(u64, Point)> {
     ends.iter().map(|end| (end.line, end.at.into())).collect()
-}
-
-fn segments(
-    py: Python<'_>,
-    segments: impl Iterator<Item = [DVec3; 2]>,
-) -> PyResult<Bound<'_, PyArray3<f64>>> {
-    let flat: Vec<f64> = segments.flatten().flat_map(|p| p.to_array()).collect();
-    let rows = flat.len() / 6;
-    let array = PyArray1::from_vec(py, flat).reshape([rows, 2, 3])?;
-    array.readwrite().make_nonwriteable();
-    Ok(array)
 }
 
 /// Judges a G-code text.

@@ -2,13 +2,14 @@
 
 use std::path::PathBuf;
 
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use wireprint_core::planner::{
     self, Allowances, Estimate as CoreEstimate, Firmware, Limits, Options,
 };
 
+use crate::arrays;
 use crate::errors::{detached, to_py};
 use crate::params::Params;
 
@@ -117,9 +118,9 @@ impl Estimate {
     fn per_move<'py>(&self, py: Python<'py>) -> Option<Rows<'py>> {
         let moves = self.core.per_move.as_ref()?;
         Some((
-            column(py, &moves.line),
-            column(py, &moves.duration_s),
-            column(py, &moves.kind),
+            arrays::vector(py, moves.line.clone()),
+            arrays::vector(py, moves.duration_s.clone()),
+            arrays::vector(py, moves.kind.clone()),
             moves.types.clone(),
         ))
     }
@@ -127,12 +128,6 @@ impl Estimate {
 
 type Rows<'py> =
     (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u16>>, Vec<String>);
-
-fn column<'py, T: numpy::Element>(py: Python<'py>, values: &[T]) -> Bound<'py, PyArray1<T>> {
-    let array = PyArray1::from_slice(py, values);
-    array.readwrite().make_nonwriteable();
-    array
-}
 
 fn options(firmware: Firmware, allowances_s: (f64, f64, f64, f64), per_move: bool) -> Options {
     let (homing_s, nozzle_heating_s, bed_heating_s, tool_change_s) = allowances_s;

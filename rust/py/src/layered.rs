@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::{DVec2, DVec3};
-use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wireprint_core::contours::Contour;
@@ -175,11 +175,11 @@ pub fn layers<'py>(py: Python<'py>, cut: Vec<Layer>) -> PyResult<Bound<'py, PyDi
     let dict = contours(py, &slices)?;
     let faces = cut.iter().flat_map(|l| &l.contours).flat_map(face_of_points);
     let strips = cut.iter().flat_map(|l| &l.strips).map(|s| s.map_or(-1, i64::from));
-    dict.set_item("slab", PyArray1::from_iter(py, cut.iter().map(|l| i64::from(l.slab))))?;
+    dict.set_item("slab", arrays::vector(py, cut.iter().map(|l| i64::from(l.slab)).collect()))?;
     dict.set_item("z", arrays::vector(py, cut.iter().map(|l| l.z).collect()))?;
     dict.set_item("thickness", arrays::vector(py, cut.iter().map(|l| l.thickness).collect()))?;
-    dict.set_item("face", PyArray1::from_iter(py, faces))?;
-    dict.set_item("strip", PyArray1::from_iter(py, strips))?;
+    dict.set_item("face", arrays::vector(py, faces.collect()))?;
+    dict.set_item("strip", arrays::vector(py, strips.collect()))?;
     Ok(dict)
 }
 

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
 use glam::DVec3;
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -94,34 +94,34 @@ impl Strands {
         Some((low.into(), high.into()))
     }
 
-    /// Start and end of each strand, float64 (N, 6), mm.
+    /// Start and end of each strand, mm, read-only float64 of shape (N, 2, 3).
     #[getter]
-    fn segments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        arrays::matrix(py, flat(&self.core.segments), 6)
+    fn segments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        arrays::segments(py, self.core.segments.iter().copied())
     }
 
-    /// Start and end of each travel, float64 (N, 6), mm.
+    /// Start and end of each travel, mm, read-only float64 of shape (N, 2, 3).
     #[getter]
-    fn travels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        arrays::matrix(py, flat(&self.core.travels), 6)
+    fn travels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        arrays::segments(py, self.core.travels.iter().copied())
     }
 
-    /// Number of strands laid before each travel, uint32 (N,).
+    /// Number of strands laid before each travel, read-only uint32 of shape (N,).
     #[getter]
     fn travel_after<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
-        PyArray1::from_slice(py, &self.core.travel_after)
+        arrays::vector(py, self.core.travel_after.clone())
     }
 
-    /// Diameter of each strand, float64 (N,), mm.
+    /// Diameter of each strand, mm, read-only float64 of shape (N,).
     #[getter]
     fn diameters<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, &self.core.diameters)
+        arrays::vector(py, self.core.diameters.clone())
     }
 
-    /// Index of each strand's label, uint16 (N,).
+    /// Index of each strand's label, read-only uint16 of shape (N,).
     #[getter]
     fn features<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u16>> {
-        PyArray1::from_slice(py, &self.core.features)
+        arrays::vector(py, self.core.features.clone())
     }
 
     fn __len__(&self) -> usize {
@@ -326,8 +326,4 @@ fn segments(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
 
 fn triples(values: &[f64]) -> impl Iterator<Item = DVec3> {
     values.as_chunks::<3>().0.iter().map(|p| DVec3::from_array(*p))
-}
-
-fn flat(segments: &[[DVec3; 2]]) -> Vec<f64> {
-    segments.iter().flatten().flat_map(|p| p.to_array()).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wireprint_core::contours::Contour;
@@ -132,7 +132,7 @@ impl Wireframe {
     /// Posts from base to peak, (P, 2, 3) float64, mm.
     #[getter]
     fn posts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        segments(py, self.core.posts.iter().map(|p| [p.post.base, p.post.peak]))
+        arrays::segments(py, self.core.posts.iter().map(|p| [p.post.base, p.post.peak]))
     }
 
     /// Slab and contour (of `contours_below` at the slab's top) of each post, (P, 2) uint32.
@@ -144,23 +144,19 @@ impl Wireframe {
     /// Strands in printing order, (S, 2, 3) float64, mm.
     #[getter]
     fn strands<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        segments(py, self.core.strands.iter().map(|s| [s.from, s.to]))
+        arrays::segments(py, self.core.strands.iter().map(|s| [s.from, s.to]))
     }
 
     /// Kind code of each strand, (S,) uint8.
     #[getter]
     fn strand_kinds<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
-        let array = PyArray1::from_iter(py, self.core.strands.iter().map(|s| s.kind as u8));
-        array.readwrite().make_nonwriteable();
-        array
+        arrays::vector(py, self.core.strands.iter().map(|s| s.kind as u8).collect())
     }
 
     /// Slab of each strand, (S,) uint32.
     #[getter]
     fn strand_slabs<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
-        let array = PyArray1::from_iter(py, self.core.strands.iter().map(|s| s.slab));
-        array.readwrite().make_nonwriteable();
-        array
+        arrays::vector(py, self.core.strands.iter().map(|s| s.slab).collect())
     }
 
     /// Length of the strands that only support others, mm.
@@ -211,18 +207,7 @@ impl Wireframe {
     }
 }
 
-fn segments<'py>(
-    py: Python<'py>,
-    segments: impl Iterator<Item = [glam::DVec3; 2]>,
-) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let flat: Vec<f64> = segments.flatten().flat_map(|p| p.to_array()).collect();
-    let count = flat.len() / 6;
-    let array = PyArray1::from_vec(py, flat).reshape([count, 2, 3])?;
-    array.readwrite().make_nonwriteable();
-    Ok(array)
-}
-
-/// Contours of many slices as a dict of arrays.
+/// Contours of many slices as a dict of read-only arrays.
 pub fn contours<'py, S: AsRef<[Contour]>>(
     py: Python<'py>,
     slices: &[S],
@@ -234,10 +219,10 @@ pub fn contours<'py, S: AsRef<[Contour]>>(
     dict.set_item("points", arrays::matrix(py, points, 2)?)?;
     dict.set_item("offsets", offsets(py, all().map(|c| c.points.len())))?;
     dict.set_item("slice_offsets", offsets(py, slices.iter().map(|s| s.as_ref().len())))?;
-    dict.set_item("parent", PyArray1::from_iter(py, all().map(parent)))?;
-    dict.set_item("depth", PyArray1::from_iter(py, all().map(|c| c.depth)))?;
-    dict.set_item("area", PyArray1::from_iter(py, all().map(|c| c.area)))?;
-    dict.set_item("closed", PyArray1::from_iter(py, all().map(|c| c.closed)))?;
+    dict.set_item("parent", arrays::vector(py, all().map(parent).collect()))?;
+    dict.set_item("depth", arrays::vector(py, all().map(|c| c.depth).collect()))?;
+    dict.set_item("area", arrays::vector(py, all().map(|c| c.area).collect()))?;
+    dict.set_item("closed", arrays::vector(py, all().map(|c| c.closed).collect()))?;
     Ok(dict)
 }
 
@@ -247,8 +232,5 @@ fn offsets(py: Python<'_>, lengths: impl Iterator<Item = usize>) -> Bound<'_, Py
         sum += n as i64;
         sum
     });
-    let all: Vec<i64> = std::iter::once(0).chain(ends).collect();
-    let array = PyArray1::from_vec(py, all);
-    array.readwrite().make_nonwriteable();
-    array
+    arrays::vector(py, std::iter::once(0).chain(ends).collect())
 }
