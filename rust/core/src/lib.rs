@@ -32,9 +32,12 @@ pub mod xml;
 
 pub use error::{CoreError, Result};
 
-// The solids of the tests next door, which name the crate as any user does.
+// The solids and printers of the tests next door, which name the crate as any user does.
 #[cfg(test)]
 extern crate self as wireprint_core;
+#[cfg(test)]
+#[path = "../tests/printer/mod.rs"]
+mod printer;
 #[cfg(test)]
 #[path = "../tests/solids/mod.rs"]
 mod solids;

@@ -100,6 +100,7 @@ proptest! {
         height in 1.5..5.0_f64,
         tip in prop::sample::select(vec![0.35, 0.5, 0.7]),
         home in prop::sample::select(vec![0.0, 0.0, 12.0]),
+        span_limit in prop::sample::select(vec![6.0, 11.0, 20.0, 65.0]),
         places in prop::collection::vec(
             (0.02..0.99_f64, 0.0..3.0_f64, prop::sample::select(vec![0.0, 0.0, 8.0, 15.0, 30.0])),
             1..10,
@@ -113,7 +114,7 @@ proptest! {
         let flat = Head { tip_radius: tip, ..head() };
         let strokes = Strokes::new(&flat, strand);
         let ideal = head().clearance(height) * 1.04;
-        let p = PostParams { ideal, chord_error: 0.5 * strand, span_limit: 65.0, strokes };
+        let p = PostParams { ideal, chord_error: 0.5 * strand, span_limit, strokes };
         let found = place(&curve, 0.0, &all, &head(), &p);
         let widest = 2.5 * ideal;
         let best = cheapest(&curve, &all, &p, widest)

@@ -2,52 +2,30 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod printer;
 mod solids;
 
 use glam::{DVec2, DVec3};
+use printer::Printer;
 use solids::{Random, cuboid, inverted, revolved, sphere, together};
 use wireprint_core::contours::Contour;
 use wireprint_core::geometry::polygon::contains;
 use wireprint_core::head::Head;
 use wireprint_core::mesh::Mesh;
-use wireprint_core::slices::heights::HeightParams;
-use wireprint_core::wireframe::params::{Pattern, Times, WireParams};
-use wireprint_core::wireframe::place::zigzag::Placement;
+use wireprint_core::wireframe::params::WireParams;
 use wireprint_core::wireframe::plan::columns::{Need, add};
-use wireprint_core::wireframe::plan::sliced::{Sliced, slice_model};
-
-const STRAND: f64 = 0.7;
+use wireprint_core::wireframe::plan::sliced::Sliced;
 
 fn head() -> Head {
-    Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap()
+    Printer::paper().head
 }
 
 fn sliced(mesh: &Mesh) -> Sliced {
-    let params = HeightParams {
-        slab_min: 1.4,
-        slab_max: 6.0,
-        first_layer: 0.35,
-        strand: STRAND,
-        free_end: 20.0,
-        deviation_target: 0.3,
-        speed: 30.0,
-        pause: 1.0,
-    };
-    slice_model(mesh, &head(), &params).unwrap()
+    Printer::paper().slice(mesh)
 }
 
 fn wire() -> WireParams {
-    WireParams {
-        strand: STRAND,
-        pattern: Pattern::Zigzag,
-        placement: Placement::Optimal,
-        caps: true,
-        supports: true,
-        cap_spacing: 6.0,
-        span_limit: 65.0,
-        free_end_limit: 20.0,
-        times: Times { print_speed: 30.0, travel_speed: 150.0, pause: 1.0, hop: 0.3 },
-    }
+    Printer::paper().wire
 }
 
 /// Height at which a ray down from a point meets the surface; 0, the bed, where it does not.

@@ -7,6 +7,7 @@ mod outlines;
 mod plane;
 mod profile;
 mod ranks;
+mod tuning;
 
 pub use cut::{cut, cut_map};
 pub use outlines::Loop;

@@ -8,6 +8,7 @@ mod every_print;
 mod layers;
 mod patterns;
 mod posts;
+#[path = "../printer/mod.rs"]
 mod printer;
 mod rules;
 mod shapes;

@@ -5,22 +5,16 @@
 use glam::{DMat3, DVec3};
 
 use super::*;
+use crate::printer::Printer;
+use crate::slices::tuning::LOWEST;
+use crate::solids::Random;
 
 fn head() -> Head {
-    Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 35.0).unwrap()
+    Printer::paper().head
 }
 
 fn params() -> HeightParams {
-    HeightParams {
-        slab_min: 1.4,
-        slab_max: 6.0,
-        first_layer: 0.35,
-        strand: 0.7,
-        free_end: 20.0,
-        deviation_target: 0.3,
-        speed: 30.0,
-        pause: 1.0,
-    }
+    Printer::paper().heights
 }
 
 /// A box, its lower end narrower by `taper`.
@@ -52,11 +46,6 @@ fn stacked(heights: &[f64]) -> Mesh {
     Mesh::new(vertices, faces)
 }
 
-fn unit(state: &mut u64) -> f64 {
-    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-    (*state >> 11) as f64 / (1_u64 << 53) as f64
-}
-
 /// What a chain of heights costs; none where a slab of it is out of bounds.
 fn total(costs: &Costs<'_>, chain: &[usize]) -> Option<f64> {
     chain.windows(2).try_fold(0.0, |sum, pair| {
@@ -69,13 +58,13 @@ fn total(costs: &Costs<'_>, chain: &[usize]) -> Option<f64> {
 
 #[test]
 fn the_chain_is_the_cheapest_of_all() {
-    let (head, p, mut state) = (head(), params(), 11);
+    let (head, p, mut random) = (head(), params(), Random(11));
     for _ in 0..60 {
-        let height = 8.0 + 12.0 * unit(&mut state);
-        let (half, taper) = (10.0 + 20.0 * unit(&mut state), unit(&mut state) * 0.9);
+        let height = 8.0 + 12.0 * random.unit();
+        let (half, taper) = (10.0 + 20.0 * random.unit(), random.unit() * 0.9);
         let corner = DVec3::new(half, half, 0.0);
         let mesh = block(-corner, corner + DVec3::Z * height, taper);
-        let mut heights: Vec<f64> = (0..9).map(|_| height * unit(&mut state)).collect();
+        let mut heights: Vec<f64> = (0..9).map(|_| height * random.unit()).collect();
         heights.extend([0.35, height]);
         heights.retain(|&z| z >= 0.35);
         heights.sort_by(f64::total_cmp);
@@ -114,12 +103,12 @@ fn the_chain_is_the_cheapest_of_all() {
 
 #[test]
 fn every_step_of_a_stack_has_its_level_and_slabs_keep_their_bounds() {
-    let mut state = 3;
+    let mut random = Random(3);
     for _ in 0..40 {
         let mut z = 0.0;
         let heights: Vec<f64> = (0..4)
             .map(|_| {
-                z += 2.0 + 10.0 * unit(&mut state);
+                z += 2.0 + 10.0 * random.unit();
                 z
             })
             .collect();
@@ -158,37 +147,6 @@ fn a_model_lower_than_a_slab_has_a_level_or_two_and_an_empty_one_none() {
 }
 
 #[test]
-fn a_slight_turn_is_the_angle_between_its_strokes() {
-    for degrees in 0..180 {
-        let angle = (f64::from(degrees) + 0.5).to_radians();
-        let found = slight_turn(DVec2::X * 3.0, DVec2::from_angle(angle) * 2.0);
-        assert_eq!(found.is_some(), degrees < 45);
-        assert!(found.is_none_or(|turn| (turn - angle).abs() < 2e-5));
-    }
-}
-
-#[test]
-fn an_outline_knows_its_length_and_its_turning_without_its_corners() {
-    let around = |count: u32, radius: f64| Loop {
-        points: (0..count)
-            .map(|i| {
-                DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(count)) * radius
-            })
-            .collect(),
-        faces: Vec::new(),
-        closed: true,
-    };
-    let circle = Outline::new(&[around(64, 20.0)], 0.7, 20.0);
-    assert!((circle.length - std::f64::consts::TAU * 20.0).abs() < 0.2);
-    assert!((circle.turning - std::f64::consts::TAU).abs() < 0.25);
-    let square = Outline::new(&[around(4, 20.0)], 0.7, 20.0);
-    assert!((square.length - 4.0 * 20.0 * std::f64::consts::SQRT_2).abs() < 1e-9);
-    assert_eq!(square.turning, 0.0);
-    // A dot is no loop that could wobble.
-    assert!(Outline::new(&[around(8, 0.5)], 0.7, 20.0).lengths.is_empty());
-}
-
-#[test]
 fn turning_a_model_about_the_vertical_changes_no_level() {
     let mesh = stacked(&[7.0, 12.0, 30.0]);
     let turned = mesh.vertices.iter().map(|&v| DMat3::from_rotation_z(0.5) * v).collect();
@@ -199,4 +157,119 @@ fn turning_a_model_about_the_vertical_changes_no_level() {
     let (one, other) = (heights(&mesh), heights(&turned));
     assert_eq!(one.len(), other.len());
     assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-6));
+}
+
+#[test]
+fn candidates_are_the_wanted_heights_an_even_grid_and_even_divisions() {
+    let (p, mut random) = (params(), Random(6));
+    for _ in 0..100 {
+        let (first, last) = (0.35, random.between(3.0, 60.0));
+        let mut lows: Vec<f64> = (0..4).map(|_| random.between(0.0, 1.2 * last)).collect();
+        lows.push(last);
+        lows.sort_by(f64::total_cmp);
+        let at = |&low: &f64| Wanted {
+            low,
+            high: low,
+            size: 5.0,
+            wide: false,
+            begins: false,
+            ends: false,
+        };
+        let wanted: Vec<Wanted> = lows.iter().map(at).collect();
+        let found = candidates(&wanted, first, last, &p);
+        let has = |z: f64| found.iter().any(|c| (c - z).abs() < 2e-6);
+        assert!(found.is_sorted() && has(first) && has(last));
+        assert!(found.iter().all(|z| (first..=last).contains(z)));
+        assert!(found.windows(2).all(|pair| pair[1] - pair[0] > 1e-7 && pair[1] - pair[0] <= 0.5));
+        let mut stops = vec![first];
+        stops.extend(lows.iter().copied().filter(|z| (first..last).contains(z)));
+        stops.push(last);
+        for pair in stops.windows(2) {
+            let gap = pair[1] - pair[0];
+            assert!(has(pair[0]));
+            let fewest = (1..).find(|&n| gap / f64::from(n) <= p.slab_max).unwrap();
+            let parts = [fewest, fewest + 1, if gap < p.slab_min { 2 } else { 1 }];
+            for n in parts {
+                for i in 1..n {
+                    let z = pair[0] + gap * f64::from(i) / f64::from(n);
+                    assert!(has(z), "{z} of {n} parts from {} to {}", pair[0], pair[1]);
+                }
+            }
+        }
+    }
+    // However tall a model is, there are no more than some hundreds.
+    let tall = candidates(&[], 0.35, 4000.0, &p);
+    assert!((400..2000).contains(&tall.len()), "{}", tall.len());
+}
+
+#[test]
+fn a_level_takes_in_what_is_nearest_to_it_and_cuts_in_between() {
+    let mut random = Random(9);
+    for _ in 0..300 {
+        let mut z = 0.35;
+        let mut levels = vec![Level::at(z)];
+        for _ in 0..4 {
+            z += random.between(1.4, 6.0);
+            levels.push(Level::at(z));
+        }
+        let mut wanted: Vec<Wanted> = (0..6)
+            .map(|_| {
+                let low = random.between(0.0, z + 1.0);
+                let high = low + if random.unit() < 0.3 { 0.1 } else { 0.0 };
+                let wide = random.unit() < 0.3;
+                Wanted { low, high, size: 5.0, wide, begins: false, ends: false }
+            })
+            .collect();
+        wanted.sort_by(|a, b| a.low.total_cmp(&b.low));
+        let (bottom, reach) = (-0.1, 0.7);
+        let mut found = levels.clone();
+        widen(&mut found, &wanted, bottom, reach);
+        for (number, (level, found)) in levels.iter().zip(&found).enumerate() {
+            // Of the wanted heights those that have no nearer level, and lie near or are wide.
+            let is_own = |w: &&Wanted| {
+                let off = |l: &Level| (l.z - w.low).abs();
+                let nearest = levels.iter().map(off).fold(f64::INFINITY, f64::min);
+                off(level) == nearest && (w.wide || nearest <= reach)
+            };
+            let own: Vec<&Wanted> = wanted.iter().filter(is_own).collect();
+            let low = own.iter().map(|w| w.low).fold(level.z, f64::min);
+            let high = own.iter().map(|w| w.high).fold(level.z, f64::max);
+            assert_eq!((found.z, found.low, found.high), (level.z, low, high));
+            let mut between = Vec::new();
+            if let Some(first) = own.first().filter(|_| number == 0) {
+                // What lies on the bed is cut below the lowest of them.
+                let middle = 0.5 * (bottom + first.low);
+                between.push(if first.low < level.z { middle } else { level.z });
+            }
+            let mut below = own.first().map_or(0.0, |w| w.high);
+            for w in own.iter().skip(1) {
+                if w.low > below {
+                    between.push(0.5 * (below + w.low));
+                }
+                below = below.max(w.high);
+            }
+            assert_eq!(found.between, between);
+        }
+    }
+}
+
+#[test]
+fn a_model_begins_and_ends_where_its_faces_do() {
+    let mut mesh = stacked(&[4.0, 9.0]);
+    assert_eq!(extent(&mesh), Some((0.0, 9.0)));
+    // A vertex of no face is no part of it.
+    mesh.vertices.push(DVec3::Z * 50.0);
+    assert_eq!(extent(&mesh), Some((0.0, 9.0)));
+    let flat = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]]);
+    assert_eq!(extent(&flat), None);
+}
+
+#[test]
+fn the_first_level_is_the_first_layer_or_the_middle_of_what_is_lower_than_two() {
+    for height in [0.4, 0.6, 5.0, 12.0] {
+        let corner = DVec3::new(10.0, 10.0, 0.0);
+        let levels =
+            choose_levels(&block(-corner, corner + DVec3::Z * height, 0.0), &head(), &params());
+        assert!((levels[0].z - 0.35_f64.min(height / 2.0)).abs() < 1e-9, "{height}: {levels:?}");
+    }
 }

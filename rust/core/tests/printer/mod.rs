@@ -1,4 +1,6 @@
-//! Printers, and a mesh as a print of theirs.
+//! Printers, and a mesh as a print of theirs: the one place where tests state figures of a printer.
+#![allow(dead_code, reason = "each test binary uses some of it")]
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use wireprint_core::head::Head;
 use wireprint_core::mesh::Mesh;
