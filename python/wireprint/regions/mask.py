@@ -27,6 +27,9 @@ def _array(dtype: str, columns: int) -> Any:
         integers = np.issubdtype(kind, np.integer) and np.issubdtype(given.dtype, np.integer)
         if not (integers or given.dtype == kind) or given.shape[1:] != shape[1:]:
             raise ValueError(f"has dtype {given.dtype} and shape {given.shape}")
+        if given.dtype == kind and not given.flags.writeable and given.flags.owndata:
+            # Nobody can change it any more, and it may be large.
+            return given
         fixed = np.array(given, kind)
         if not np.array_equal(fixed, given, equal_nan=kind.kind == "f"):
             raise ValueError(f"has numbers that do not fit {kind.name}")

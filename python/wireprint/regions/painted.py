@@ -9,6 +9,7 @@ import numpy as np
 from wireprint._core import MOST_DIGITS, ModelError
 from wireprint.regions.mask import Mask
 from wireprint.regions.region import Region
+from wireprint.threemf.instance import joined
 from wireprint.threemf.roles import Role
 
 if TYPE_CHECKING:
@@ -70,10 +71,13 @@ class _Mask:
 
     def region(self) -> Region:
         """Return what was gathered."""
-        marked = np.concatenate(self._marked)
+        marked = joined(self._marked)
         if not marked.any():
             return Region()
-        vertices, faces = np.concatenate(self._vertices), np.concatenate(self._faces)
+        vertices, faces = joined(self._vertices), joined(self._faces)
+        self._vertices, self._faces = [], []
+        for array in (vertices, faces, marked):
+            array.setflags(write=False)
         return Region().add(Mask(vertices=vertices, faces=faces, marked=marked))
 
     def take(self, instance: Instance) -> None:
@@ -91,13 +95,14 @@ class _Mask:
         kept = (printed | cut)[owners]
         owners, states = owners[kept], states[kept]
         split = np.flatnonzero(np.repeat(kept, 3)).astype(np.uint32).reshape(-1, 3)
-        self._add(corners, split, marked[owners] | self._counts(states) & printed[owners])
+        if len(owners):
+            self._add(corners, split, marked[owners] | self._counts(states) & printed[owners])
 
     def _add(
         self, vertices: npt.NDArray[np.float64], faces: npt.NDArray[np.uint32], marked: _Flags
     ) -> None:
         self._vertices.append(vertices)
-        self._faces.append(faces + np.uint32(self._count))
+        self._faces.append(faces + np.uint32(self._count) if self._count else faces)
         self._marked.append(marked)
         self._count += len(vertices)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,13 @@ if TYPE_CHECKING:
 
     #: Vertices, float64 of shape (N, 3), and faces, uint32 of shape (M, 3).
     Soup: TypeAlias = tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]
+
+_Kind = TypeVar("_Kind", bound=np.generic)
+
+
+def joined(arrays: list[npt.NDArray[_Kind]]) -> npt.NDArray[_Kind]:
+    """Join arrays along their rows; one alone is not copied, for it may be large."""
+    return arrays[0] if len(arrays) == 1 else np.concatenate(arrays)
 
 
 @dataclass(frozen=True)
@@ -47,7 +54,10 @@ class Instance:
     @cached_property
     def vertices(self) -> npt.NDArray[np.float64]:
         """Float64 of shape (N, 3), in the file's unit."""
-        placed: npt.NDArray[np.float64] = self.mesh.vertices @ self.matrix[:3] + self.matrix[3]
+        if np.array_equal(self.matrix, np.eye(4, 3)):
+            return self.mesh.vertices
+        placed: npt.NDArray[np.float64] = self.mesh.vertices @ self.matrix[:3]
+        placed += self.matrix[3]
         return placed
 
     @property

@@ -12,6 +12,7 @@ import numpy as np
 from wireprint._core import ModelError, carve, find_relationship
 from wireprint.threemf.build import Build
 from wireprint.threemf.contents import Contents, PlateContents, counted, shown
+from wireprint.threemf.instance import joined
 from wireprint.threemf.roles import Role
 from wireprint.threemf.slicers import Config, read_config
 
@@ -56,15 +57,17 @@ class Scene:
         ModelError
             A negative part cannot be cut out of its object.
         """
-        vertices, faces, count = [np.zeros((0, 3))], [np.zeros((0, 3), np.uint32)], 0
+        vertices: list[npt.NDArray[np.float64]] = []
+        faces: list[npt.NDArray[np.uint32]] = []
+        count = 0
         for _, placed in groupby(self.instances, key=lambda one: one.item):
             for points, own in _carved(list(placed)):
-                faces.append(own + np.uint32(count))
+                faces.append(own + np.uint32(count) if count else own)
                 vertices.append(points)
                 count += len(points)
         if not any(map(len, faces)):
             raise ModelError("nothing is left where its negative parts were cut out")
-        return np.concatenate(vertices), np.concatenate(faces)
+        return joined(vertices), joined(faces)
 
 
 def _carved(instances: Sequence[Instance]) -> Iterator[Soup]:

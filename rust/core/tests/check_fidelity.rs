@@ -161,14 +161,14 @@ fn the_nearest_triangle_is_the_one_that_a_search_of_all_finds() {
         })
         .collect();
     let nearest = Surface::new(&mesh).nearest(&points);
-    assert_eq!(nearest, Surface::of(&mesh.vertices, &mesh.faces).nearest(&points));
+    assert_eq!(nearest, Surface::of(mesh.vertices.clone(), &mesh.faces).nearest(&points));
     let alone: Vec<_> =
-        mesh.faces.iter().map(|&face| Surface::of(&mesh.vertices, &[face])).collect();
+        mesh.faces.iter().map(|&face| Surface::of(mesh.vertices.clone(), &[face])).collect();
     for (&point, &found) in points.iter().zip(&nearest) {
         let distance =
             |surface: &Surface| surface.deviation(&[[point, point + DVec3::X * 1e-9]]).max;
         let least = alone.iter().map(distance).fold(f64::MAX, f64::min);
         assert!(distance(&alone[found as usize]) < least + 1e-6);
     }
-    assert!(Surface::of(&mesh.vertices, &[]).nearest(&points).is_empty());
+    assert!(Surface::of(mesh.vertices.clone(), &[]).nearest(&points).is_empty());
 }

@@ -49,7 +49,9 @@ pub fn segments(
 /// # Errors
 /// Whatever Python raises.
 pub fn points<'py>(py: Python<'py>, points: &[DVec3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    matrix(py, points.iter().flat_map(|p| p.to_array()).collect(), 3)
+    let mut values = Vec::with_capacity(3 * points.len());
+    values.extend(points.iter().flat_map(|p| p.to_array()));
+    matrix(py, values, 3)
 }
 
 /// Points from a float64 array of shape (N, 3).

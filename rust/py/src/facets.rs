@@ -32,7 +32,7 @@ impl Facets {
         if !faces.as_flattened().iter().all(there) {
             return Err(ModelError::new_err("faces names a vertex that is not there"));
         }
-        Ok(Self { surface: py.detach(|| Surface::of(&vertices, &faces)) })
+        Ok(Self { surface: py.detach(|| Surface::of(vertices, &faces)) })
     }
 
     /// Index of the triangle nearest to each of the points, float64 (N, 3): read-only uint32 (N,).

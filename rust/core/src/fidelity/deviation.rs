@@ -34,14 +34,13 @@ impl Surface {
     /// Prepares the surface of a mesh.
     #[must_use]
     pub fn new(mesh: &Mesh) -> Self {
-        Self { triangles: Triangles::new(mesh.faces.len(), |face| mesh.corners(face)) }
+        Self { triangles: Triangles::new(mesh.vertices.clone(), &mesh.faces) }
     }
 
     /// Prepares a surface given by loose triangles, each of three of the vertices.
     #[must_use]
-    pub fn of(vertices: &[DVec3], faces: &[[u32; 3]]) -> Self {
-        let corners = |face: usize| faces[face].map(|vertex| vertices[vertex as usize]);
-        Self { triangles: Triangles::new(faces.len(), corners) }
+    pub fn of(vertices: Vec<DVec3>, faces: &[[u32; 3]]) -> Self {
+        Self { triangles: Triangles::new(vertices, faces) }
     }
 
     /// Measures the distance of strands from the surface.

@@ -80,11 +80,14 @@ impl Painting {
     /// mesh does not have.
     pub fn leaves(&self, vertices: &[DVec3], faces: &[[u32; 3]]) -> Result<Leaves> {
         // What is damaged is refused before memory is taken for the leaves.
+        let (mut whole, mut parts) = (0, 0);
         for (triangle, digits) in self.paintings() {
-            let checked = walk(digits, DVec3::AXES, |_| ());
+            let checked = walk(digits, DVec3::AXES, |leaf| {
+                *(if leaf.whole { &mut whole } else { &mut parts }) += 1;
+            });
             checked.map_err(|what| unreadable(triangle, digits, what))?;
         }
-        let mut leaves = Leaves::default();
+        let mut leaves = Leaves::of(whole, parts);
         for (triangle, digits) in self.paintings() {
             let corners = corners(triangle, vertices, faces)
                 .ok_or_else(|| unreadable(triangle, digits, "is on no triangle"))?;
@@ -111,6 +114,17 @@ struct Leaf {
 }
 
 impl Leaves {
+    /// None yet, with room for so many whole triangles and parts of triangles.
+    fn of(whole: usize, parts: usize) -> Self {
+        Self {
+            whole: Vec::with_capacity(whole),
+            whole_states: Vec::with_capacity(whole),
+            owners: Vec::with_capacity(parts),
+            corners: Vec::with_capacity(parts),
+            states: Vec::with_capacity(parts),
+        }
+    }
+
     fn add(&mut self, triangle: u32, leaf: Leaf) {
         if leaf.whole {
             self.whole.push(triangle);
