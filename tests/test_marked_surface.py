@@ -15,14 +15,13 @@ from PIL import Image
 from command import run
 from test_regions import region_of, shapes
 from test_view import hue_share
-from test_view_html import data_of, decoded
+from view_pages import held, told_by
 from wireprint import view, view_styles
 from wireprint._core import Mesh
 from wireprint.model import Model
 from wireprint.regions import Box, Region, Sphere, ZRange
 from wireprint.regions import surface as cutting
 from wireprint.regions.surface import marked_area, marked_surface
-from wireprint.view_html import STEPS
 
 LAYERS = view_styles.STYLES["layer-wise"].colour
 
@@ -96,17 +95,14 @@ def test_a_picture_shows_what_is_marked_in_the_colour_of_layers():
     assert hue_share(pixels, view_styles.MODEL) > 0.1
 
 
-def test_a_page_shows_what_is_marked_with_a_line_of_the_legend_each():
-    data = data_of(view.render_html(MARKED))
-    wire, marked = data["groups"]
+def test_a_page_shows_what_is_marked_and_tells_its_share():
+    told = told_by(view.render_html(MARKED))
+    model, arrays = told["model"]
+    wire, marked = model["shares"]
     assert [wire["name"], marked["name"]] == ["not marked", "marked"]
-    assert marked["colour"] == pytest.approx(np.array(LAYERS) / 255, abs=1e-4)
     assert marked["amount"] == f"{4 * 20 * 10 / BLOCK.area:.1%}"
-    faces = decoded(data, "faces", "<u4", 3)
-    assert wire["count"] + marked["count"] == len(faces) == data["face_count"]
-    steps = decoded(data, "vertices", "<u2", 4)[:, :3]
-    points = data["low"] + steps / STEPS * data["span"]
-    heights = points[faces[wire["count"] :], 2]
+    assert len(arrays["faces"]) == len(MARKED.mesh.faces)
+    heights = told["paint"][1]["corners"].reshape(-1, 3)[:, 2]
     assert heights.min() == pytest.approx(10, abs=0.2)
     assert heights.max() == pytest.approx(20, abs=0.2)
 
@@ -115,8 +111,8 @@ def test_a_page_shows_what_is_marked_with_a_line_of_the_legend_each():
     ("camera", "degrees"), [("iso", (35, 25)), ("top", (0, 90)), ("9,-8", (9, -8))]
 )
 def test_a_page_is_seen_first_from_where_the_camera_is(camera, degrees):
-    data = data_of(view.render_html(BALL, camera=camera))
-    assert np.degrees(data["camera"]) == pytest.approx(degrees, abs=0.01)
+    told = told_by(view.render_html(BALL, camera=camera))
+    assert told["welcome"][0]["camera"] == pytest.approx(degrees)
 
 
 # --- the command
@@ -146,6 +142,14 @@ def test_info_of_a_plain_model_tells_of_no_marks(cube_stl):
     assert "marked" not in run("info", cube_stl).stdout
 
 
+def shown(path):
+    """Return what a picture or a page shows, whatever the model's file is called."""
+    content = path.read_bytes()
+    if path.suffix == ".html":
+        content = held(content.decode(), "data")
+    return content.replace(b"m.3mf", b"m.stl")
+
+
 def test_view_draws_marks_of_a_project_and_of_options_alike(cube_stl, tmp_path):
     project = tmp_path / "x.3mf"
     assert run("project", cube_stl, "-o", project, *MARKS).exit_code == 0
@@ -158,10 +162,10 @@ def test_view_draws_marks_of_a_project_and_of_options_alike(cube_stl, tmp_path):
             model.write_bytes(arguments[0].read_bytes())
             done = run("view", model, *arguments[1:], "-o", tmp_path / name, "--size", "300x200")
             assert done.exit_code == 0, done.stderr
-            drawn.append((tmp_path / name).read_bytes().replace(b"m.3mf", b"m.stl"))
+            drawn.append(shown(tmp_path / name))
         assert drawn[0] == drawn[1]
         assert run("view", cube_stl, "-o", tmp_path / name, "--size", "300x200").exit_code == 0
-        assert (tmp_path / name).read_bytes() != drawn[1]
+        assert shown(tmp_path / name) != drawn[1]
 
 
 def test_g_code_cannot_be_marked(tmp_path):

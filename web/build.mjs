@@ -1,5 +1,5 @@
 // Bundles the page. `node build.mjs` writes it beside the server; `--to FOLDER` writes it elsewhere, to compare.
-import { readFileSync, writeFileSync, mkdirSync, copyFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -13,9 +13,12 @@ const result = await build({
   absWorkingDir: here,
   entryPoints: ["src/main.tsx"],
   outfile: join(out, "studio.js"),
+  write: false,
   bundle: true,
   minify: true,
-  format: "esm",
+  format: "iife",
+  globalName: "made",
+  loader: { ".css": "text" },
   target: "es2022",
   jsx: "automatic",
   jsxImportSource: "preact",
@@ -23,6 +26,17 @@ const result = await build({
   metafile: true,
   logLevel: "warning",
 });
+
+// What a page shows is the state of its modules, and a notebook may have several views of one widget, which import
+// this once: so each page runs the program anew.
+writeFileSync(
+  join(out, "studio.js"),
+  `function program() {${result.outputFiles[0].text}return made;}
+const own = document.querySelector("[data-wireprint]");
+if (own) program().start(own);
+export default { render: ({ model, el }) => program().widget(model, el) };
+`,
+);
 
 // The licence of each package that is in the bundle, in the order of their names.
 const packages = new Set();
@@ -40,4 +54,4 @@ writeFileSync(
   join(out, "licences.txt"),
   `studio.js holds these packages besides wireprint's own code.\n\n${licences.join("\n----\n\n")}`,
 );
-for (const name of ["index.html", "studio.css"]) copyFileSync(join(here, "src", name), join(out, name));
+copyFileSync(join(here, "src/index.html"), join(out, "index.html"));

@@ -51,6 +51,8 @@ CAMERAS: Final = {
 BREACH_RADIUS_MM: Final = 0.9
 #: Below this width a picture has no room for a legend, pixels.
 LEGEND_FROM_PX: Final = 480
+#: The picture that a page holds for browsers that cannot draw it, pixels.
+_STILL_PX: Final = (960, 720)
 
 
 def camera_angles(camera: str) -> tuple[float, float, float]:
@@ -126,9 +128,26 @@ def strands_in(path: str | os.PathLike[str]) -> Strands:
     GcodeError, OSError
         The file cannot be read.
     """
-    text = Path(path).read_bytes()
+    return strands_from(text_in(path), path)
+
+
+def text_in(path: str | os.PathLike[str]) -> bytes:
+    """Return the text of a G-code file, whatever its name; see `wireprint.gcode.source.read`."""
+    from wireprint.gcode.source import read
+
+    return read(path)[0]
+
+
+def strands_from(gcode: bytes, path: str | os.PathLike[str]) -> Strands:
+    """Return the strands of a text, which is called by its file's name in errors.
+
+    Raises
+    ------
+    GcodeError
+        It lays none.
+    """
     with named(path):
-        return Strands.from_gcode(text)
+        return Strands.from_gcode(gcode)
 
 
 def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
@@ -147,12 +166,17 @@ def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
 
 def size_text(shown: Shown) -> str:
     """Size of the object itself, such as ``84.2 x 65.0 x 83.4 mm``."""
+    return " x ".join(f"{length:.1f}" for length in size_mm(shown)) + " mm"
+
+
+def size_mm(shown: Shown) -> list[float]:
+    """Size of the object itself, mm."""
     if not isinstance(shown, Strands):
         low, high = _mesh(shown).bounds.tolist()
     else:
         objects = [label for label in shown.labels if style_of(label).is_object]
         low, high = shown.bounds(objects) or shown.bounds(shown.labels) or ((0.0,) * 3,) * 2
-    return " x ".join(f"{b - a:.1f}" for a, b in zip(low, high, strict=True)) + " mm"
+    return [b - a for a, b in zip(low, high, strict=True)]
 
 
 def render_png(
@@ -245,6 +269,7 @@ def render_html(
     weak: Iterable[Sequence[float]] = (),
     camera: str = "iso",
     title: str | None = None,
+    gcode: bytes | None = None,
 ) -> str:
     """Make one page that turns in a browser and needs no network.
 
@@ -256,6 +281,9 @@ def render_html(
         HTML file to write; none by default.
     camera
         From where it is seen first, see `render_png`; in perspective always.
+    gcode
+        The text that strands are of, where `source` is no file: it plays them at the planner's
+        times, tells what they take, and shows the printer's bed.
 
     Returns
     -------
@@ -271,19 +299,34 @@ def render_html(
     """
     from wireprint.view_html import Page
 
-    shown = load(source)
-    page = Page(_title(title, source), size_text(shown), camera_angles(camera)[:2])
+    if gcode is None and isinstance(source, str | os.PathLike) and is_gcode(source):
+        gcode = text_in(source)
+        shown: Shown = strands_from(gcode, source)
+    else:
+        shown = load(source)
+    marks, gives = _points(breaches), _points(weak)
+    still = render_png(
+        shown,
+        size=_STILL_PX,
+        camera=camera,
+        kinds=kinds,
+        breaches=marks,
+        weak=gives,
+        with_legend=False,
+    )
+    page = Page(_title(title, source), size_mm(shown), camera_angles(camera)[:2], still)
+    page.add_marks(marks)
+    page.add_weak(gives)
     if isinstance(shown, Strands):
         colours = palette(shown, kinds)
-        page.add_strands(shown, colours, legend(shown, colours), TRAVELS if travels else None)
+        entries = legend(shown, colours)
+        page.add_strands(shown, colours, entries, travels=travels, gcode=gcode)
     elif isinstance(shown, Mesh):
-        page.add_mesh(shown, MODEL)
+        page.add_mesh(shown)
     else:
         from wireprint.view_marks import groups
 
-        page.add_groups(groups(shown))
-    page.add_marks(_points(breaches))
-    page.add_weak(_points(weak))
+        page.add_groups(shown.mesh, groups(shown))
     text = page.text()
     if path is not None:
         _write(path, text.encode(), source)

@@ -1,17 +1,24 @@
-"""A print or a model as one page that turns in a browser and loads nothing else."""
+"""A print or a model as one page that turns in a browser and loads nothing else.
+
+The page is the window's own (`web/`), told by its file what a session would tell.
+"""
 
 from __future__ import annotations
 
 import base64
+import hashlib
 import html
-import json
-import math
+import re
+import zlib
 from importlib import resources
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from wireprint.view_styles import Entry
+from wireprint._core import __version__
+from wireprint.view_replay import Replay, replay, told_of, untimed
+from wireprint.view_texels import DIAMETER_STEP_MM, MOST_KINDS, box_of, heights_of, packed
+from wireprint.window.answer import encoded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,62 +27,67 @@ if TYPE_CHECKING:
 
     from wireprint._core import Mesh, Strands
     from wireprint.view_marks import Group
-    from wireprint.view_styles import Rgb
+    from wireprint.view_styles import Entry, Rgb
 
-#: Coordinates are sent as this many steps over the longest extent: 3 µm on 200 mm.
-STEPS: Final = 65535
-#: Diameters are sent as multiples of this, mm; a byte holds the thickest that is drawn.
-DIAMETER_STEP_MM: Final = 0.012
-#: The page knows this many kinds of strands; others are shown as the last one.
-MOST_KINDS: Final = 64
-GRID_MM: Final = 10.0
-MOST_GRID_LINES: Final = 60
+    Floats = npt.NDArray[np.float64]
+    Points = Sequence[tuple[float, float, float]]
+
+#: A bed that nobody told is so much larger than what stands on it, mm, and goes by so much.
+_BED_STEP_MM: Final = 10.0
 
 
 class Page:
-    """The data of a page, and the page.
+    """What a page is told, and the page.
 
     Parameters
     ----------
     title
         Headline.
-    size_text
+    size_mm
         Size of the object.
     angles
         Azimuth and elevation that it is seen from first, degrees.
+    still
+        PNG that is shown until it turns, and where it cannot.
     """
 
-    def __init__(self, title: str, size_text: str, angles: tuple[float, float]) -> None:
-        self.title = title
-        self.data: dict[str, Any] = {
-            "title": title,
-            "size": size_text,
-            "camera": [round(math.radians(angle), 5) for angle in angles],
-            "low": [0.0] * 3,
-            "span": [1.0] * 3,
-            "legend": [],
-            "strands": "",
-            "strand_count": 0,
-            "diameter_step": DIAMETER_STEP_MM,
-            "travels": "",
-            "travel_after": "",
-            "vertices": "",
-            "faces": "",
-            "face_count": 0,
-            "groups": [],
-            "grid": [],
-            "marks": [],
-            "weak": [],
-        }
+    def __init__(
+        self, title: str, size_mm: Sequence[float], angles: tuple[float, float], still: bytes
+    ) -> None:
+        self._title, self._size_mm, self._still = title, list(size_mm), still
+        #: Middle of the bed, to which everything is told: mm.
+        self._centre = np.zeros(3)
+        self._breaches: Points = ()
+        self._weak: Points = ()
+        self._told: list[bytes] = []
+        self._tell(
+            "welcome",
+            name=title,
+            version=__version__,
+            camera=angles,
+            size_mm=self._size_mm,
+            printers=[],
+            materials=[],
+        )
+
+    def add_marks(self, points: Points) -> None:
+        """Mark points in red, which nothing hides; before anything is shown."""
+        self._breaches = points
+
+    def add_weak(self, points: Points) -> None:
+        """Mark points as weak, likewise."""
+        self._weak = points
 
     def add_strands(
         self,
         strands: Strands,
         colours: Sequence[Rgb | None],
         entries: Sequence[Entry],
-        travel: Entry | None,
+        *,
+        travels: bool,
+        gcode: bytes | None,
     ) -> None:
-        """Add the strands that have a colour, a line of the legend for each entry, and travels.
+        """Show the strands that have a colour.
 
         Parameters
         ----------
@@ -85,122 +97,186 @@ class Page:
             Colour of each of their labels.
         entries
             Legend; strands belong to the entry of their label.
-        travel
-            Legend of the travels, which can be switched on; none leaves them out.
+        travels
+            Whether ways without extrusion can be switched on.
+        gcode
+            The text that they are of, if there is one: it tells times, layers and the printer.
         """
         kinds = {entry.label: i for i, entry in enumerate(entries)}
         of_label = np.array([kinds.get(label, -1) for label in strands.labels], np.int64)
         of_label[[colour is None for colour in colours]] = -1
         kind = of_label[strands.features]
         shown = kind >= 0
-        ends = strands.segments[shown]
-        self._fit(ends.reshape(-1, 3))
-        packed = np.zeros(len(ends), [("ends", "<u2", (2, 3)), ("style", "u1", 2), ("pad", "<u2")])
-        packed["ends"] = self._quantised(ends)
-        packed["style"][:, 0] = np.minimum(kind[shown], MOST_KINDS - 1)
-        packed["style"][:, 1] = np.clip(strands.diameters[shown] / DIAMETER_STEP_MM, 1, 255)
-        self.data["strands"] = _base64(packed)
-        self.data["strand_count"] = len(ends)
-        self.data["legend"] += [_legend(entry, kind=i) for i, entry in enumerate(entries)]
-        if travel is not None:
-            self._add_travels(strands, shown)
-            self.data["legend"].append(_legend(travel, kind=None))
+        lines = strands.lines
+        known = untimed(len(strands)) if gcode is None or lines is None else replay(gcode, lines)
+        ends = strands.segments
+        self._set_bed(known, ends[shown].reshape(-1, 3))
+        self._tell_print(strands, known, shown, kind, entries, travels)
 
-    def add_mesh(self, mesh: Mesh, colour: Rgb) -> None:
-        """Add a model's triangles."""
-        self._fit(mesh.vertices)
-        self._add_faces(self._quantised(mesh.vertices), mesh.faces)
-        self.data["groups"] = [_line(Entry("", "", colour)) | {"count": len(mesh.faces)}]
+    def add_mesh(self, mesh: Mesh) -> None:
+        """Show a model."""
+        self._tell_model(mesh, [], np.zeros((0, 3, 3)))
 
-    def add_groups(self, groups: Sequence[Group]) -> None:
-        """Add groups of triangles, a line of the legend for each."""
-        corners = np.concatenate([group.corners.reshape(-1, 3) for group in groups])
-        self._fit(corners)
-        # Three times 16 bits as one number: rows are slow to compare.
-        x, y, z = self._quantised(corners).astype(np.uint64).T
-        packed, faces = np.unique(x << 32 | y << 16 | z, return_inverse=True)
-        vertices = np.stack([packed >> 32, packed >> 16, packed], axis=1).astype("<u2")
-        self._add_faces(vertices, faces.reshape(-1, 3))
-        self.data["groups"] = [
-            _line(group.entry) | {"count": len(group.corners)} for group in groups
-        ]
-
-    def _add_faces(
-        self, vertices: npt.NDArray[np.uint16], faces: npt.NDArray[np.integer[Any]]
-    ) -> None:
-        # WebGL wants attributes at multiples of four bytes.
-        self.data["vertices"] = _base64(np.pad(vertices, ((0, 0), (0, 1))))
-        self.data["faces"] = _base64(np.asarray(faces, "<u4"))
-        self.data["face_count"] = len(faces)
-
-    def add_marks(self, points: Sequence[tuple[float, float, float]]) -> None:
-        """Add points that are marked in red and that nothing hides."""
-        self.data["marks"] = [round(value, 3) for point in points for value in point]
-
-    def add_weak(self, points: Sequence[tuple[float, float, float]]) -> None:
-        """Add points that are marked as weak, likewise."""
-        self.data["weak"] = [round(value, 3) for point in points for value in point]
+    def add_groups(self, mesh: Mesh, groups: Sequence[Group]) -> None:
+        """Show a model with what is marked on it, which is the last of its groups."""
+        self._tell_model(mesh, [group.entry for group in groups], groups[-1].corners)
 
     def text(self) -> str:
         """Return the page."""
-        template = resources.files("wireprint").joinpath("view.html").read_text(encoding="utf-8")
-        # In the element that holds the data, some words that begin with "<" would be obeyed.
-        data = json.dumps(self.data, separators=(",", ":")).replace("<", "\\u003c")
-        head, tail = template.split("$DATA")
-        return head.replace("$TITLE", html.escape(self.title)) + data + tail
+        return _page(self._title, self._still, b"".join(map(_counted, self._told)))
 
-    def _fit(self, points: npt.NDArray[np.float64]) -> None:
-        """Let coordinates and the bed span what is shown."""
-        if not len(points):
-            return
-        low, high = points.min(axis=0), points.max(axis=0)
-        self.data["low"] = low.tolist()
-        self.data["span"] = np.maximum(high - low, 1e-6).tolist()
-        self.data["grid"] = _grid(low, high)
+    def _tell(self, event: str, arrays: dict[str, Any] | None = None, **head: Any) -> None:
+        self._told.append(encoded({"event": event, **head}, arrays))
 
-    def _quantised(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.uint16]:
-        share = (points - self.data["low"]) / self.data["span"]
-        steps: npt.NDArray[np.uint16] = np.rint(np.clip(share, 0.0, 1.0) * STEPS).astype("<u2")
-        return steps
+    def _set_bed(self, known: Replay | None, points: Floats) -> None:
+        """Tell the printer's bed, or one that fits, and put its middle in the middle."""
+        if known is not None and known.settings is not None:
+            about = told_of(known.settings)
+            self._centre[:2] = known.settings.printer.bed.centre_mm
+        else:
+            size_mm, self._centre[:2] = _fitting_bed(points)
+            about = {"bed": {"round": False, "size_mm": size_mm, "high": 0.0}, "head": None}
+        printer = known.settings.printer.name if known and known.settings else ""
+        # Nothing can be changed: there are no marks, and no settings.
+        nothing: dict[str, Any] = {
+            "items": [],
+            "can_undo": False,
+            "can_redo": False,
+            "settings": {},
+            "automatic": {},
+            "differs": {},
+            "material": "",
+        }
+        self._tell("state", revision=0, printer=printer, **nothing, **about)
+        self._tell("current", revision=0)
 
-    def _add_travels(self, strands: Strands, shown: npt.NDArray[np.bool_]) -> None:
-        """Add the travels, each with the number of shown strands that come before it."""
-        before = np.concatenate([[0], np.cumsum(shown)])
-        self.data["travels"] = _base64(strands.travels.astype("<f4"))
-        self.data["travel_after"] = _base64(before[strands.travel_after].astype("<u4"))
+    def _tell_print(
+        self,
+        strands: Strands,
+        known: Replay,
+        shown: npt.NDArray[np.bool_],
+        kind: npt.NDArray[np.int64],
+        entries: Sequence[Entry],
+        travels: bool,
+    ) -> None:
+        ends = strands.segments[shown] - self._centre
+        low, span = box_of(ends) if len(ends) else (np.zeros(3), np.ones(3))
+        slabs, kinds = known.slabs[shown], np.minimum(kind[shown], MOST_KINDS - 1)
+        begin_s, end_s = known.begin_s[shown], known.end_s[shown]
+        laid_s = np.maximum(end_s - begin_s, 1e-6)
+        arrays = {
+            "strands": packed(ends, low, span, kinds, strands.diameters[shown], slabs),
+            "when": np.stack([begin_s, end_s], axis=1).astype("<f4"),
+            "speed": (np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / laid_s).astype("<f4"),
+        }
+        if travels:
+            before = np.concatenate([[0], np.cumsum(shown)])
+            arrays["travels"] = (strands.travels - self._centre).astype("<f4")
+            arrays["after"] = before[strands.travel_after].astype("<u4")
+        self._tell(
+            "print",
+            arrays,
+            figures=known.figures,
+            regions=None,
+            refused="",
+            made_s=None,
+            labels=[_label(entry) for entry in entries],
+            low=low.tolist(),
+            span=span.tolist(),
+            diameter_step_mm=DIAMETER_STEP_MM,
+            slabs_mm=heights_of(ends, slabs) if len(ends) else [0.0],
+            motion=np.eye(4).tolist(),
+            breaches=[
+                {"rule": "breach", "words": _place(place), "at_mm": self._moved(place)}
+                for place in self._breaches
+            ],
+            weak=[self._moved(place) for place in self._weak],
+            total_s=known.total_s,
+            timed=known.timed,
+        )
+
+    def _tell_model(self, mesh: Mesh, entries: Sequence[Entry], painted: Floats) -> None:
+        self._set_bed(None, mesh.vertices)
+        shares = [{"name": entry.name, "amount": entry.amount} for entry in entries]
+        vertices = (mesh.vertices - self._centre).astype("<f4")
+        self._tell(
+            "model",
+            {"vertices": vertices, "faces": mesh.faces.astype("<u4")},
+            name=self._title,
+            size_mm=self._size_mm,
+            repaired=[],
+            warnings=[],
+            shares=shares,
+        )
+        self._tell("paint", {"corners": (painted - self._centre).astype("<f4")})
+
+    def _moved(self, place: tuple[float, float, float]) -> list[float]:
+        moved: list[float] = (np.array(place) - self._centre).round(3).tolist()
+        return moved
 
 
-def _grid(low: npt.NDArray[np.float64], high: npt.NDArray[np.float64]) -> list[float]:
-    """Lines on the bed, ten millimetres apart, or a power of ten of that for what is large."""
-    coarser = np.log10(max((high - low)[:2].max() / GRID_MM / MOST_GRID_LINES, 1e-9))
-    step = GRID_MM * 10.0 ** max(0.0, np.ceil(coarser))
-    first = np.floor(low[:2] / step - 0.4) * step
-    last = np.ceil(high[:2] / step + 0.4) * step
-    xs, ys = (np.arange(a, b + step / 2, step) for a, b in zip(first, last, strict=True))
-    across = [[[x, first[1], 0.0], [x, last[1], 0.0]] for x in xs]
-    along = [[[first[0], y, 0.0], [last[0], y, 0.0]] for y in ys]
-    grid: list[float] = np.ravel(across + along).tolist()
-    return grid
+def _fitting_bed(points: Floats) -> tuple[list[float], list[float]]:
+    """Return size and middle of a bed for what stands there, mm."""
+    if not len(points):
+        return [_BED_STEP_MM] * 2, [0.0, 0.0]
+    low, high = points.min(axis=0)[:2], points.max(axis=0)[:2]
+    step = _BED_STEP_MM
+    while (high - low).max() > 1000 * step:
+        step *= 10
+    first, last = np.floor(low / step - 0.4) * step, np.ceil(high / step + 0.4) * step
+    return (last - first).tolist(), ((first + last) / 2).tolist()
 
 
-def _line(entry: Entry) -> dict[str, Any]:
-    """Return a line of the legend."""
+def _label(entry: Entry) -> dict[str, Any]:
     return {
+        "label": entry.label,
         "name": entry.name,
-        "colour": _unit(entry.colour),
-        "amount": entry.amount,
-        "on": True,
+        "colour": entry.colour,
+        "length_mm": entry.length_mm or 0.0,
     }
 
 
-def _legend(entry: Entry, kind: int | None) -> dict[str, Any]:
-    """Return a line for strands of a kind, or for travels, which are not shown at first."""
-    return _line(entry) | {"kind": kind, "travel": kind is None, "on": kind is not None}
+def _place(place: tuple[float, float, float]) -> str:
+    return ", ".join(f"{value:.1f}" for value in place) + " mm"
 
 
-def _unit(colour: Rgb) -> list[float]:
-    return [round(channel / 255, 4) for channel in colour]
+def _counted(told: bytes) -> bytes:
+    return len(told).to_bytes(4, "little") + told
 
 
-def _base64(array: npt.NDArray[Any]) -> str:
-    return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode("ascii")
+def _page(title: str, still: bytes, told: bytes) -> str:
+    """Return the page's text: the program and what it is told, deflated, and a policy of hashes."""
+    static = resources.files("wireprint.window").joinpath("static")
+    program = static.joinpath("studio.js").read_bytes()
+    template = resources.files("wireprint").joinpath("view.html").read_text(encoding="utf-8")
+    loader = _between(template, "script type=module")
+    style = _between(template, "style")
+    policy = (
+        f"default-src 'none'; script-src {_hash(loader.encode())} {_hash(program)}; "
+        f"style-src {_hash(style.encode())}; img-src data: blob:; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    # Text of others comes last, so that what stands in it is put in for nothing.
+    parts = {
+        "POLICY": policy,
+        "LICENCES": static.joinpath("licences.txt").read_text(encoding="utf-8"),
+        "STILL": base64.b64encode(still).decode("ascii"),
+        "PROGRAM": _deflated(program),
+        "DATA": _deflated(told),
+        "TITLE": html.escape(title),
+    }
+    return re.sub(r"\$([A-Z]+)\b", lambda found: parts[found[1]], template)
+
+
+def _between(template: str, tag: str) -> str:
+    """Return what stands in the one element of a tag."""
+    begin = template.index(f"<{tag}>") + len(tag) + 2
+    return template[begin : template.index(f"</{tag.split()[0]}>", begin)]
+
+
+def _hash(content: bytes) -> str:
+    return f"'sha256-{base64.b64encode(hashlib.sha256(content).digest()).decode('ascii')}'"
+
+
+def _deflated(content: bytes) -> str:
+    return base64.b64encode(zlib.compress(content, 9)).decode("ascii")

@@ -79,7 +79,7 @@ class Window:
         )
         page.goto(self.url)
         page.goto(page.url + "?debug")
-        until(page, "document.body.dataset.drawn > 0")
+        until(page, "document.querySelector('.wireprint')?.dataset.drawn > 0")
         return page
 
 

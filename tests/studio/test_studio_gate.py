@@ -37,7 +37,7 @@ def page(stranger):
         yield stranger
 
 
-FILES = ("/", "/studio.js", "/studio.css", "/licences.txt")
+FILES = ("/", "/studio.js", "/licences.txt")
 
 
 @pytest.mark.parametrize("path", [*FILES, "/message", "/messages", "/no-such", "/?token=wrong"])

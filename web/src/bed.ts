@@ -16,7 +16,9 @@ import {
 import type { State } from "./protocol";
 import type { Palette } from "./theme";
 
+/** Lines lie so far apart, or a power of ten of that on what is large. */
 const LINE_MM = 10;
+const MOST_LINES = 100;
 const AROUND = 96;
 
 function lines(points: number[]): BufferGeometry {
@@ -92,8 +94,9 @@ function ring(edge: Flat[], z: number): number[] {
 
 function grid(round: boolean, width: number, depth: number): number[] {
   const found: number[] = [];
+  const step = LINE_MM * 10 ** Math.max(Math.ceil(Math.log10(Math.max(width, depth) / LINE_MM / MOST_LINES)), 0);
   const along = (half: number, other: number, put: (at: number, reach: number) => void) => {
-    for (let at = -Math.floor(half / LINE_MM) * LINE_MM; at <= half; at += LINE_MM)
+    for (let at = -Math.floor(half / step) * step; at <= half; at += step)
       put(at, round ? Math.sqrt(Math.max(half * half - at * at, 0)) : other);
   };
   along(width / 2, depth / 2, (x, reach) => found.push(x, -reach, 0, x, reach, 0));
@@ -112,7 +115,7 @@ export class Head extends Mesh<BufferGeometry, MeshBasicMaterial> {
     this.renderOrder = 5;
   }
 
-  take(head: State["head"]): void {
+  take(head: NonNullable<State["head"]>): void {
     const { tip_radius_mm: tip, slant_deg: slant, cone_height_mm: high, block_radius_mm: block } = head;
     const wide = Math.min(tip + high / Math.tan((slant * Math.PI) / 180), block);
     const outline = [

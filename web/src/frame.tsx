@@ -1,10 +1,12 @@
-// What stands around the picture: the head with its figures, the tools, the timeline, the slabs.
+// What stands around the picture in every host: the head with its figures, the timeline, the slabs.
 import type { JSX } from "preact";
+import { ExportMenu, Profile } from "./editing";
 import { Icon } from "./icons";
 import type { Studio } from "./studio";
 import * as store from "./store";
-import { clock } from "./store";
+import { clock, instant } from "./store";
 import { VIEWS, type ViewName } from "./view";
+import type { Viewer } from "./viewer";
 
 function Figure({ name, value, tone }: { name: string; value: string; tone?: string }): JSX.Element {
   return (
@@ -24,99 +26,59 @@ function verdict(): [string, string] {
   return found.figures.whole ? ["keeps all rules", "good"] : ["much left bare", "fair"];
 }
 
-function Figures(): JSX.Element {
-  const figures = store.print.value?.figures;
+/** Amounts that are known; of a print that is awaited, dashes. */
+function Figures(): JSX.Element | null {
+  const awaited = store.print.value === null;
+  const { print_time_s: time, filament_g: grams, coverage, certified } = store.print.value?.figures ?? {};
+  if (awaited && store.host.value === "page") return null;
+  const shown = (name: string, value: number | undefined, write: (value: number) => string) =>
+    value !== undefined || awaited ? <Figure name={name} value={value === undefined ? "–" : write(value)} /> : null;
   const [words, tone] = verdict();
   return (
     <dl class={`figures ${store.outOfDate.value ? "stale" : ""}`} aria-live="polite" aria-label="print">
-      <Figure name="print time" value={figures ? clock(figures.print_time_s) : "–"} />
-      <Figure name="filament" value={figures ? `${figures.filament_g.toFixed(1)} g` : "–"} />
-      <Figure name="coverage" value={figures ? `${(100 * figures.coverage).toFixed(1)} %` : "–"} />
-      <Figure name="certificate" value={words} tone={tone} />
+      {shown("print time", time, clock)}
+      {shown("filament", grams, (value) => `${value.toFixed(1)} g`)}
+      {shown("coverage", coverage, (value) => `${(100 * value).toFixed(1)} %`)}
+      {certified !== undefined || awaited ? <Figure name="certificate" value={words} tone={tone} /> : null}
     </dl>
   );
 }
 
-function Profile({ kind, studio }: { kind: "printer" | "material"; studio: Studio }): JSX.Element {
-  const names = (kind === "printer" ? store.welcome.value?.printers : store.welcome.value?.materials) ?? [];
-  const now = store.state.value?.[kind] ?? "";
-  return (
-    <select
-      aria-label={kind}
-      value={now}
-      disabled={!store.state.value}
-      onChange={(event) => void studio.edit({ do: "profile", [kind]: event.currentTarget.value })}
-    >
-      {(names.includes(now) ? names : [now, ...names]).map((name) => (
-        <option key={name} value={name}>
-          {name}
-        </option>
-      ))}
-    </select>
-  );
-}
-
-function ExportMenu({ studio }: { studio: Studio }): JSX.Element {
-  const ready = store.print.value !== null;
-  const close = (event: Event) => (event.currentTarget as HTMLElement).closest("details")?.removeAttribute("open");
-  const entry = (words: string, key: string, act: () => void) => (
-    <button
-      type="button"
-      role="menuitem"
-      onClick={(event) => {
-        close(event);
-        act();
-      }}
-    >
-      {words} <kbd>{key}</kbd>
-    </button>
-  );
-  return (
-    <div class="export">
-      <button type="button" class="primary" disabled={!ready} onClick={() => void studio.export("gcode")}>
-        Export G-code
-      </button>
-      <details
-        onFocusOut={(event) => {
-          if (!event.currentTarget.contains(event.relatedTarget as Node | null)) event.currentTarget.open = false;
-        }}
-      >
-        <summary class="primary" aria-label="more to export">
-          <Icon name="down" />
-        </summary>
-        <div class="menu" role="menu">
-          {entry("G-code", "Ctrl E", () => void studio.export("gcode"))}
-          {entry("Project (3MF)", "Ctrl S", () => void studio.export("project"))}
-          {entry("Strokes (JSON)", "", () => void studio.export("strokes"))}
-          {entry("Picture (PNG)", "", () => void studio.picture())}
-        </div>
-      </details>
-    </div>
-  );
-}
-
-export function Head({ studio }: { studio: Studio }): JSX.Element {
+/** What is shown, in a few words. */
+function about(): string {
   const model = store.model.value;
-  const size = model?.size_mm.map((mm) => mm.toFixed(0)).join(" × ");
+  if (model) {
+    const size = model.size_mm.map((mm) => mm.toFixed(0)).join(" × ");
+    return `${size} mm · ${model.triangles.toLocaleString("en")} triangles`;
+  }
+  const size = store.welcome.value?.size_mm?.map((mm) => mm.toFixed(1)).join(" × ");
+  return size ? `${size} mm` : "is being read";
+}
+
+/** `studio` is null where nothing can be changed. */
+export function Head({ studio }: { studio: Studio | null }): JSX.Element {
+  const name = store.model.value?.name ?? store.welcome.value?.name ?? "…";
   return (
     <header>
       <div class="title">
         <h1>wireprint</h1>
         <div class="model">
-          <b title={model?.name}>{model?.name ?? store.welcome.value?.name ?? "…"}</b>
-          <small>{model ? `${size} mm · ${model.triangles.toLocaleString("en")} triangles` : "is being read"}</small>
+          <b title={name}>{name}</b>
+          <small>{about()}</small>
         </div>
       </div>
-      <div class="profiles">
-        <Profile kind="printer" studio={studio} />
-        <Profile kind="material" studio={studio} />
-      </div>
+      {studio ? (
+        <div class="profiles">
+          <Profile kind="printer" studio={studio} />
+          <Profile kind="material" studio={studio} />
+        </div>
+      ) : null}
       <Figures />
-      <ExportMenu studio={studio} />
+      {studio ? <ExportMenu studio={studio} /> : null}
       <button
         type="button"
         class="plain drawer"
-        aria-label="settings and marks"
+        aria-label={studio ? "settings and marks" : "colours and figures"}
         aria-expanded={store.drawer.value}
         onClick={() => (store.drawer.value = !store.drawer.value)}
       >
@@ -126,53 +88,11 @@ export function Head({ studio }: { studio: Studio }): JSX.Element {
   );
 }
 
-function Tool({ icon, name, keyName, on, off, act }: {
-  icon: string;
-  name: string;
-  keyName: string;
-  on?: boolean;
-  off?: boolean;
-  act: () => void;
-}): JSX.Element {
-  return (
-    <button
-      type="button"
-      class="tool"
-      aria-label={name}
-      title={`${name} (${keyName})`}
-      aria-pressed={on}
-      disabled={off}
-      onClick={act}
-    >
-      <Icon name={icon} />
-    </button>
-  );
-}
-
-export function Tools({ studio }: { studio: Studio }): JSX.Element {
-  const tool = store.tool.value;
-  return (
-    <nav class="tools" aria-label="tools">
-      <Tool icon="turn" name="Turn" keyName="V" on={tool === "turn"} act={() => (store.tool.value = "turn")} />
-      <Tool icon="fill" name="Print as layers" keyName="B" on={tool === "fill"} act={() => (store.tool.value = "fill")} />
-      <Tool icon="erase" name="Print as wire" keyName="E" on={tool === "erase"} act={() => (store.tool.value = "erase")} />
-      <hr />
-      <Tool icon="undo" name="Undo" keyName="Ctrl Z" off={!store.state.value?.can_undo} act={() => void studio.edit({ do: "undo" })} />
-      <Tool icon="redo" name="Redo" keyName="Ctrl Shift Z" off={!store.state.value?.can_redo} act={() => void studio.edit({ do: "redo" })} />
-      <hr />
-      <Tool icon="model" name="Model" keyName="M" on={store.showsModel.value} act={() => (store.showsModel.value = !store.showsModel.value)} />
-      <Tool icon="wire" name="Wire" keyName="W" on={store.showsWire.value} act={() => (store.showsWire.value = !store.showsWire.value)} />
-      <span class="grow" />
-      <Tool icon="key" name="Keys" keyName="?" act={() => (store.helps.value = true)} />
-    </nav>
-  );
-}
-
-export function Views({ studio }: { studio: Studio }): JSX.Element {
+export function Views({ viewer }: { viewer: Viewer }): JSX.Element {
   return (
     <div class="views" role="group" aria-label="views">
       {(Object.keys(VIEWS) as ViewName[]).map((name) => (
-        <button type="button" key={name} onClick={() => studio.view.look(name)}>
+        <button type="button" key={name} onClick={() => viewer.view.look(name)}>
           {name}
         </button>
       ))}
@@ -210,7 +130,7 @@ export function Hints(): JSX.Element {
     fill: "Drag on the model: print as layers · Alt or beside it: turn · [ ] size",
     erase: "Drag on the model: print as wire · Alt or beside it: turn · [ ] size",
   };
-  const print = store.print.value;
+  const print = store.print.value?.labels.length ? store.print.value : null;
   const until = store.shownStrands.value;
   const all = store.strandCount.value;
   return (
@@ -218,15 +138,18 @@ export function Hints(): JSX.Element {
       <p class="hint">{hints[store.tool.value]}</p>
       <p class="count">
         {store.outOfDate.value ? <span class="stale-word">out of date</span> : null}
-        {print ? `${until < all ? `${until.toLocaleString("en")} of ` : ""}${all.toLocaleString("en")} strands · ${Math.round(1000 * print.made_s)} ms` : ""}
+        {print ? `${until < all ? `${until.toLocaleString("en")} of ` : ""}${all.toLocaleString("en")} strands` : ""}
+        {print && print.made_s !== null ? ` · ${Math.round(1000 * print.made_s)} ms` : ""}
+        {store.progress.value ? ` · ${store.progress.value}` : ""}
       </p>
     </>
   );
 }
 
-export function Timeline({ studio }: { studio: Studio }): JSX.Element {
+export function Timeline({ viewer }: { viewer: Viewer }): JSX.Element | null {
   const total = store.totalS.value;
   const time = Math.min(store.timeS.value, total);
+  if (!total && store.host.value === "page") return null;
   return (
     <footer>
       <button
@@ -234,7 +157,7 @@ export function Timeline({ studio }: { studio: Studio }): JSX.Element {
         class="plain"
         aria-label={store.playing.value ? "pause" : "play"}
         disabled={total === 0}
-        onClick={() => studio.play()}
+        onClick={() => viewer.play()}
       >
         <Icon name={store.playing.value ? "pause" : "play"} />
       </button>
@@ -242,7 +165,7 @@ export function Timeline({ studio }: { studio: Studio }): JSX.Element {
         type="range"
         class="time"
         aria-label="time shown"
-        aria-valuetext={`${clock(time)} of ${clock(total)}`}
+        aria-valuetext={`${instant(time)} of ${instant(total)}`}
         min={0}
         max={total || 1}
         step="any"
@@ -256,7 +179,7 @@ export function Timeline({ studio }: { studio: Studio }): JSX.Element {
         }}
       />
       <output class="clock">
-        {clock(time)} / {clock(total)}
+        {instant(time)} / {instant(total)}
       </output>
       <select
         aria-label="speed of playing"
@@ -275,6 +198,11 @@ export function Messages(): JSX.Element {
   const { value: toast } = store.toast;
   return (
     <div class="messages" role="status">
+      {store.turns.value ? null : (
+        <p class="fair">
+          This browser has no WebGL 2, or has it switched off: pictures are shown in its place, and nothing can be painted.
+        </p>
+      )}
       {store.linked.value || !store.welcome.value ? null : (
         <p class="bad">The session is gone; start wireprint studio again. What you see stays.</p>
       )}
@@ -283,4 +211,10 @@ export function Messages(): JSX.Element {
       {toast ? <p class={toast.bad ? "bad" : ""}>{toast.words}</p> : null}
     </div>
   );
+}
+
+/** A picture in place of a canvas that cannot be drawn on. */
+export function Still(): JSX.Element | null {
+  const { value: still } = store.still;
+  return still && !store.turns.value ? <img class="still" src={still} alt="model and print" /> : null;
 }

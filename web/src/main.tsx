@@ -1,73 +1,32 @@
-import { effect } from "@preact/signals";
-import { render, type JSX } from "preact";
-import { Head, Hints, Messages, Slabs, Timeline, Tools, Views } from "./frame";
-import { Icon } from "./icons";
-import { KEYS, listen } from "./keys";
-import { Panel } from "./panel";
+// One bundle for three hosts: a session's window, a notebook's cell, a page of a file.
+import { build } from "./app";
+import { RecordedLink } from "./recorded";
+import { SocketLink } from "./socket";
 import * as store from "./store";
-import { Studio } from "./studio";
+import { CommLink, type WidgetModel } from "./widget";
 
-function Keys(): JSX.Element | null {
-  if (!store.helps.value) return null;
-  const close = () => (store.helps.value = false);
-  return (
-    <div class="veil" onClick={close}>
-      <div class="keys" role="dialog" aria-modal="true" aria-label="keys" onClick={(event) => event.stopPropagation()}>
-        <h2>Keys</h2>
-        <button type="button" class="plain close" aria-label="close" autoFocus onClick={close}>
-          <Icon name="close" />
-        </button>
-        <dl>
-          {KEYS.map(([key, does]) => (
-            <div key={key}>
-              <dt>
-                <kbd>{key}</kbd>
-              </dt>
-              <dd>{does}</dd>
-            </div>
-          ))}
-        </dl>
-      </div>
-    </div>
-  );
+/** Makes a page of the element that a document has for it; what it shows is in the document, or a session tells it. */
+export function start(root: HTMLElement): void {
+  const data = document.getElementById("data");
+  const host = data ? "page" : "studio";
+  // What a page of a file shows until it draws, and where it cannot.
+  const still = document.querySelector<HTMLImageElement>("#still");
+  if (still) store.still.value = still.src;
+  still?.remove();
+  build(root, host, (take, linked) => (data ? new RecordedLink(data, take, linked) : new SocketLink(take, linked)), window);
 }
 
-function mount(id: string, what: JSX.Element): void {
-  render(what, document.getElementById(id)!);
-}
-
-const stage = document.getElementById("stage")!;
-const canvas = document.querySelector("canvas")!;
-const probe = document.createElement("canvas").getContext("webgl2");
-if (probe) {
-  probe.getExtension("WEBGL_lose_context")?.loseContext();
-  const studio = new Studio(canvas, stage);
-  mount("head", <Head studio={studio} />);
-  mount("tools", <Tools studio={studio} />);
-  mount("over", (
-    <>
-      <Views studio={studio} />
-      <Slabs />
-      <Hints />
-      <Messages />
-    </>
-  ));
-  mount("panel", <Panel studio={studio} />);
-  mount("foot", <Timeline studio={studio} />);
-  mount("keys", <Keys />);
-  listen(studio);
-  effect(() => {
-    stage.dataset["tool"] = store.tool.value;
-  });
-  // Settings take the session a while to list: they are asked for once a print is there.
-  const stop = effect(() => {
-    if (!store.print.value && !store.failure.value) return;
-    setTimeout(() => {
-      void studio.loadFields();
-      stop();
-    });
-  });
-  if (new URLSearchParams(location.search).has("debug")) Object.assign(window, { studio, store });
-} else {
-  stage.textContent = "This page draws with WebGL 2, which this browser does not have or has switched off.";
+/** Makes a notebook's view in a shadow tree, which the notebook's own styles do not reach. */
+export function widget(model: WidgetModel, el: HTMLElement): () => void {
+  const root = document.createElement("div");
+  root.style.height = `${model.get("height_px") as number}px`;
+  // Keys are the notebook's until the view has the focus.
+  root.tabIndex = 0;
+  el.attachShadow({ mode: "open" }).append(root);
+  let link: CommLink | null = null;
+  const close = build(root, "widget", (take, linked) => (link = new CommLink(model, take, linked)), root);
+  return () => {
+    link?.close();
+    close();
+  };
 }

@@ -1,13 +1,13 @@
-// The side panel: what colours tell, what is marked, the brush, what is missing.
-import type { ComponentChildren, JSX } from "preact";
-import { Icon } from "./icons";
-import { ShapeFields } from "./shapefields";
+// The side panel: what colours tell, what is marked, what is missing, what is set.
+import type { JSX } from "preact";
+import { Marks } from "./marks";
+import { Section } from "./section";
 import { Settings } from "./settings";
-import type { Item } from "./protocol";
 import * as store from "./store";
 import type { Mode } from "./strands";
 import type { Studio } from "./studio";
 import { RAMP } from "./theme";
+import type { Viewer } from "./viewer";
 
 const MODES: Record<Mode, string> = {
   feature: "feature",
@@ -16,21 +16,6 @@ const MODES: Record<Mode, string> = {
   slab: "slab",
   breach: "breach",
 };
-
-export function Section({ name, open = true, children }: {
-  name: string;
-  open?: boolean;
-  children: ComponentChildren;
-}): JSX.Element {
-  return (
-    <details class="section" open={open}>
-      <summary>
-        <h2>{name}</h2>
-      </summary>
-      {children}
-    </details>
-  );
-}
 
 function css([r, g, b]: [number, number, number]): string {
   return `rgb(${r} ${g} ${b})`;
@@ -55,13 +40,27 @@ function Legend(): JSX.Element {
           </label>
         </li>
       ))}
+      {store.travelCount.value ? (
+        <li>
+          <label>
+            <input
+              type="checkbox"
+              checked={store.showsTravels.value}
+              onChange={() => (store.showsTravels.value = !store.showsTravels.value)}
+            />
+            <i class="travels" />
+            <span>travel</span>
+            <small>{store.travelCount.value.toLocaleString("en")}</small>
+          </label>
+        </li>
+      ) : null}
     </ul>
   );
 }
 
 function Ramp(): JSX.Element {
   const [low, high] = store.range.value;
-  const words = { time: store.clock, speed: (v: number) => `${v.toFixed(1)} mm/s`, slab: (v: number) => `${Math.round(v) + 1}` };
+  const words = { time: store.instant, speed: (v: number) => `${v.toFixed(1)} mm/s`, slab: (v: number) => `${Math.round(v) + 1}` };
   const write = words[store.mode.value as "time" | "speed" | "slab"];
   return (
     <div class="ramp">
@@ -70,6 +69,15 @@ function Ramp(): JSX.Element {
       <small>{write(high)}</small>
     </div>
   );
+}
+
+/** Whether something is known by which to colour. */
+function tells(mode: Mode): boolean {
+  const print = store.print.value;
+  if (!print || mode === "feature") return true;
+  if (mode === "slab") return print.slabs_mm.length > 1;
+  if (mode === "breach") return print.figures.certified !== undefined;
+  return mode === "time" || print.timed;
 }
 
 function Colours(): JSX.Element {
@@ -81,163 +89,76 @@ function Colours(): JSX.Element {
         value={mode}
         onChange={(event) => (store.mode.value = event.currentTarget.value as Mode)}
       >
-        {Object.entries(MODES).map(([name, words]) => (
-          <option key={name} value={name}>
-            {words}
-          </option>
-        ))}
+        {Object.entries(MODES)
+          .filter(([name]) => tells(name as Mode))
+          .map(([name, words]) => (
+            <option key={name} value={name}>
+              {words}
+            </option>
+          ))}
       </select>
       {mode === "feature" ? <Legend /> : mode === "breach" ? <p class="quiet">What breaks a rule is red.</p> : <Ramp />}
     </Section>
   );
 }
 
-function MarkLine({ item, place, last, studio }: {
-  item: Item;
-  place: number;
-  last: number;
-  studio: Studio;
-}): JSX.Element {
-  const { number } = item;
-  const chosen = store.selected.value === number;
-  const move = (to: number) => void studio.edit({ do: "move", number, to });
-  return (
-    <li class={`${item.on ? "" : "off"} ${chosen ? "chosen" : ""}`}>
-      <div class="line">
-        <button
-          type="button"
-          class="plain"
-          aria-label={item.on ? `switch ${item.name} off` : `switch ${item.name} on`}
-          onClick={() => void studio.edit({ do: "change", number, on: !item.on })}
-        >
-          <Icon name={item.on ? "eye" : "hide"} />
-        </button>
-        <i class={item.erase ? "erases" : "adds"} title={item.erase ? "printed as wire" : "printed as layers"} />
-        <input
-          class="name"
-          aria-label={`name of ${item.name}`}
-          value={item.name}
-          maxLength={100}
-          onFocus={() => (store.selected.value = number)}
-          onChange={(event) => void studio.edit({ do: "change", number, name: event.currentTarget.value || item.name })}
-        />
-        <button type="button" class="plain" aria-label={`move ${item.name} up`} disabled={place === 0} onClick={() => move(place - 1)}>
-          <Icon name="up" />
-        </button>
-        <button type="button" class="plain" aria-label={`move ${item.name} down`} disabled={place === last} onClick={() => move(place + 1)}>
-          <Icon name="down" />
-        </button>
-        <button type="button" class="plain" aria-label={`delete ${item.name}`} onClick={() => void studio.edit({ do: "delete", number })}>
-          <Icon name="trash" />
-        </button>
-      </div>
-      {chosen ? <ShapeFields item={item} studio={studio} /> : null}
-    </li>
-  );
-}
-
-function Marks({ studio }: { studio: Studio }): JSX.Element {
-  const items = store.state.value?.items ?? [];
-  const add = (kind: "box" | "sphere" | "z" | "half", name: string) => (
-    <button type="button" title={`add ${name}`} onClick={() => void studio.shape(kind)}>
-      <Icon name={kind} /> {name}
-    </button>
-  );
-  return (
-    <Section name="Marks">
-      {items.length ? (
-        <ol class="marks">
-          {items.map((item, i) => (
-            <MarkLine key={item.number} item={item} place={i} last={items.length - 1} studio={studio} />
-          ))}
-        </ol>
-      ) : (
-        <p class="quiet">Nothing is marked: all is wire. Take the brush (B), or add a shape.</p>
-      )}
-      <div class="add" role="group" aria-label="add a shape">
-        {add("box", "box")}
-        {add("sphere", "ball")}
-        {add("z", "heights")}
-        {add("half", "half")}
-      </div>
-      <label class="slider">
-        <span>brush</span>
-        <input
-          type="range"
-          min={0.5}
-          max={30}
-          step={0.5}
-          value={store.radiusMm.value}
-          onInput={(event) => (store.radiusMm.value = event.currentTarget.valueAsNumber)}
-        />
-        <output>{store.radiusMm.value} mm</output>
-      </label>
-      <label class="slider" title="How far the surface may turn away from where the brush touches it">
-        <span>spread</span>
-        <input
-          type="range"
-          min={10}
-          max={180}
-          step={5}
-          value={store.spreadDeg.value}
-          onInput={(event) => (store.spreadDeg.value = event.currentTarget.valueAsNumber)}
-        />
-        <output>{store.spreadDeg.value}°</output>
-      </label>
-    </Section>
-  );
-}
-
-function Judged({ studio }: { studio: Studio }): JSX.Element | null {
+/** What is wrong or missing; each can be flown to. */
+function Spots({ viewer }: { viewer: Viewer }): JSX.Element | null {
   const spots = store.spots.value;
-  const figures = store.print.value?.figures;
-  const warnings = [...(figures?.warnings ?? []), ...(store.model.value?.repaired ?? [])];
-  const rest = store.rest.value;
-  if (!figures) return null;
+  if (!spots.length)
+    return store.print.value?.figures.certified ? (
+      <p class="quiet">The G-code was judged move by move: nothing breaks a rule, nothing large is bare.</p>
+    ) : null;
   return (
-    <Section name="Verdict">
-      {spots.length ? (
-        <ul class="spots">
-          {spots.map((spot, i) => (
-            <li key={i} class={spot.kind}>
-              {spot.at_mm ? (
-                <button type="button" class="plain" onClick={() => studio.flyTo(spot)}>
-                  {spot.words}
-                </button>
-              ) : (
-                <span>{spot.words}</span>
-              )}
-              {spot.help ? <small>{spot.help}</small> : null}
-            </li>
-          ))}
-        </ul>
-      ) : (
-        <p class="quiet">The G-code was judged move by move: nothing breaks a rule, nothing large is bare.</p>
-      )}
+    <ul class="spots">
+      {spots.map((spot, i) => (
+        <li key={i} class={spot.kind}>
+          {spot.at_mm ? (
+            <button type="button" class="plain" onClick={() => viewer.flyTo(spot)}>
+              {spot.words}
+            </button>
+          ) : (
+            <span>{spot.words}</span>
+          )}
+          {spot.help ? <small>{spot.help}</small> : null}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** Amounts by name, of those that are known. */
+function facts(): [string, string][] {
+  const { figures, regions } = store.print.value ?? { figures: {}, regions: null };
+  const { print_time_s: time, filament_mm: filament, filament_g: grams, filament_cost: cost } = figures;
+  const off = store.rest.value?.deviation_mm;
+  const laid = (store.print.value?.labels ?? []).reduce((sum, label) => sum + label.length_mm, 0);
+  const found: [string, string][] = [];
+  if (store.host.value === "page" && time !== undefined) found.push(["print time", store.clock(time)]);
+  if (store.host.value === "page" && laid) found.push(["strands", `${(laid / 1000).toFixed(2)} m`]);
+  if (filament !== undefined && grams !== undefined)
+    found.push(["filament", `${(filament / 1000).toFixed(2)} m · ${grams.toFixed(2)} g${cost ? ` · ${cost.toFixed(2)}` : ""}`]);
+  if (off != null) found.push(["off the surface", `${off.toFixed(2)} mm on average`]);
+  if (regions) found.push(["in layers", `${(regions.area_mm2 / 100).toFixed(1)} cm²`]);
+  if (figures.turn_to_fit_deg) found.push(["turned to fit", `${figures.turn_to_fit_deg.toFixed(1)}°`]);
+  for (const { name, amount } of store.model.value?.shares ?? []) found.push([name, amount]);
+  return found;
+}
+
+function Judged({ viewer }: { viewer: Viewer }): JSX.Element | null {
+  const warnings = [...(store.print.value?.figures.warnings ?? []), ...(store.model.value?.repaired ?? [])];
+  const known = facts();
+  if (!known.length && !warnings.length && !store.spots.value.length) return null;
+  return (
+    <Section name={store.host.value === "page" ? "Totals" : "Verdict"}>
+      <Spots viewer={viewer} />
       <dl class="facts">
-        <dt>filament</dt>
-        <dd>
-          {(figures.filament_mm / 1000).toFixed(2)} m · {figures.filament_g.toFixed(2)} g
-          {figures.filament_cost > 0 ? ` · ${figures.filament_cost.toFixed(2)}` : ""}
-        </dd>
-        {rest?.deviation_mm != null ? (
+        {known.map(([name, amount]) => (
           <>
-            <dt>off the surface</dt>
-            <dd>{rest.deviation_mm.toFixed(2)} mm on average</dd>
+            <dt>{name}</dt>
+            <dd>{amount}</dd>
           </>
-        ) : null}
-        {store.print.value?.regions ? (
-          <>
-            <dt>in layers</dt>
-            <dd>{(store.print.value.regions.area_mm2 / 100).toFixed(1)} cm²</dd>
-          </>
-        ) : null}
-        {figures.turn_to_fit_deg ? (
-          <>
-            <dt>turned to fit</dt>
-            <dd>{figures.turn_to_fit_deg.toFixed(1)}°</dd>
-          </>
-        ) : null}
+        ))}
       </dl>
       {warnings.length ? (
         <ul class="warnings">
@@ -250,13 +171,14 @@ function Judged({ studio }: { studio: Studio }): JSX.Element | null {
   );
 }
 
-export function Panel({ studio }: { studio: Studio }): JSX.Element {
+/** `studio` is null where nothing can be changed. */
+export function Panel({ viewer, studio }: { viewer: Viewer; studio: Studio | null }): JSX.Element {
   return (
-    <aside class={store.drawer.value ? "open" : ""} aria-label="settings and marks">
-      <Colours />
-      <Marks studio={studio} />
-      <Judged studio={studio} />
-      <Settings studio={studio} />
+    <aside class={store.drawer.value ? "open" : ""} aria-label={studio ? "settings and marks" : "colours and figures"}>
+      {studio || store.strandCount.value ? <Colours /> : null}
+      {studio ? <Marks studio={studio} /> : null}
+      <Judged viewer={viewer} />
+      {studio ? <Settings studio={studio} /> : null}
     </aside>
   );
 }

@@ -1,4 +1,4 @@
-// What the session says and takes: see python/wireprint/window/messages.py and session.py.
+// What the session says and takes: see python/wireprint/window/messages.py, session.py and page.py.
 export type Point = [number, number, number];
 export type Rows = [number[], number[], number[]];
 
@@ -32,7 +32,7 @@ export interface State {
   automatic: Record<string, number>;
   differs: Record<string, Value>;
   bed: { round: boolean; size_mm: [number, number]; high: number };
-  head: { tip_radius_mm: number; slant_deg: number; cone_height_mm: number; block_radius_mm: number };
+  head: { tip_radius_mm: number; slant_deg: number; cone_height_mm: number; block_radius_mm: number } | null;
 }
 
 export interface Label {
@@ -49,19 +49,22 @@ export interface Unprinted {
   help: string;
 }
 
+/** Figures of a print; what a G-code alone does not tell is absent. */
+export interface Figures {
+  print_time_s?: number;
+  filament_g?: number;
+  filament_mm?: number;
+  filament_cost?: number;
+  coverage?: number;
+  certified?: boolean;
+  whole?: boolean;
+  turn_to_fit_deg?: number;
+  unprinted?: Unprinted[];
+  warnings?: string[];
+}
+
 export interface Print {
-  figures: {
-    print_time_s: number;
-    filament_g: number;
-    filament_mm: number;
-    filament_cost: number;
-    coverage: number;
-    certified: boolean;
-    whole: boolean;
-    turn_to_fit_deg: number;
-    unprinted: Unprinted[];
-    warnings: string[];
-  };
+  figures: Figures;
   regions: null | {
     area_mm2: number;
     filled_mm3: number;
@@ -69,7 +72,7 @@ export interface Print {
     hollow: { reason: string; help: string; volume_mm3: number; low_mm: number; high_mm: number }[];
   };
   refused: string;
-  made_s: number;
+  made_s: number | null;
   labels: Label[];
   low: Point;
   span: Point;
@@ -77,12 +80,21 @@ export interface Print {
   slabs_mm: number[];
   motion: number[][];
   breaches: { rule: string; words: string; at_mm: Point | null }[];
+  weak?: Point[];
   total_s: number;
+  /** Whether times are known; else each strand counts as a second. */
+  timed: boolean;
 }
 
 export interface Welcome {
   name: string;
   version: string;
+  /** From where it is seen first: azimuth and elevation, degrees. */
+  camera?: [number, number];
+  /** Size of what is shown, where there is no model to tell. */
+  size_mm?: Point;
+  /** Whether files can be written beside the model. */
+  saves?: boolean;
   printers: string[];
   materials: string[];
 }
@@ -92,6 +104,8 @@ export interface Model {
   size_mm: Point;
   repaired: string[];
   warnings: string[];
+  /** Shares of its surface, by what is printed there. */
+  shares?: { name: string; amount: string }[];
 }
 
 export interface Field {

@@ -13,6 +13,8 @@ export interface Spot {
   at_mm: Point | null;
 }
 
+/** Where the page is: a session's window, a notebook's cell, or a file that only shows. */
+export const host = signal<"studio" | "widget" | "page">("studio");
 export const welcome = signal<Welcome | null>(null);
 export const model = signal<(Model & { triangles: number }) | null>(null);
 export const state = signal<State | null>(null);
@@ -23,7 +25,12 @@ export const rest = signal<{ deviation_mm: number | null; chord_deviation_mm: nu
 export const printed = signal(-1);
 export const failure = signal("");
 export const notice = signal("");
+/** What is worked on, while it lasts. */
+export const progress = signal("");
 export const linked = signal(false);
+/** Whether the browser can draw; else it shows `still`, the address of a picture. */
+export const turns = signal(true);
+export const still = signal("");
 /** A word about what was just done or refused. */
 export const toast = signal<{ words: string; bad: boolean } | null>(null);
 
@@ -32,6 +39,8 @@ export const radiusMm = signal(5);
 export const spreadDeg = signal(80);
 export const showsModel = signal(true);
 export const showsWire = signal(true);
+export const showsTravels = signal(false);
+export const travelCount = signal(0);
 export const mode = signal<Mode>("feature");
 /** What the colour ramp's ends stand for. */
 export const range = signal<[number, number]>([0, 0]);
@@ -86,7 +95,7 @@ export const spots = computed<Spot[]>(() => {
     ...found.breaches.map(
       ({ rule, words, at_mm }): Spot => ({ kind: "breach", words: `${rule.replaceAll("_", " ")}: ${words}`, help: "", at_mm }),
     ),
-    ...found.figures.unprinted.map(
+    ...(found.figures.unprinted ?? []).map(
       (part): Spot => ({
         kind: "bare",
         words: `${area(part.area_mm2)} bare: ${reason(part.reason)}`,
@@ -112,6 +121,11 @@ export const spots = computed<Spot[]>(() => {
     ),
   ];
 });
+
+/** Time, or strands where times are not known, as people read them. */
+export function instant(amount: number): string {
+  return print.value?.timed === false ? Math.round(amount).toLocaleString("en") : clock(amount);
+}
 
 export function clock(seconds: number): string {
   const whole = Math.round(seconds);

@@ -11,6 +11,7 @@ export interface Palette {
   head: Color;
   faint: Color;
   breach: Color;
+  weak: Color;
   accent: Color;
 }
 
@@ -24,6 +25,7 @@ const LIGHT: Palette = {
   head: new Color(0x4b5563),
   faint: new Color(0xb4bac4),
   breach: new Color(0xde1622),
+  weak: new Color(0x101010),
   accent: new Color(0x7b4fc4),
 };
 const DARK: Palette = {
@@ -36,6 +38,7 @@ const DARK: Palette = {
   head: new Color(0xcbd2dc),
   faint: new Color(0x4c535e),
   breach: new Color(0xff4d57),
+  weak: new Color(0xf2f2f2),
   accent: new Color(0xb695f0),
 };
 

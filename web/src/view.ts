@@ -1,11 +1,6 @@
 // The scene and the camera; draws only when something changed, and coarser while a slow machine moves.
 import {
-  BufferAttribute,
-  BufferGeometry,
-  CanvasTexture,
   PerspectiveCamera,
-  Points,
-  PointsMaterial,
   Scene,
   Sphere,
   Vector2,
@@ -14,9 +9,11 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Bed, Head } from "./bed";
+import { Dots } from "./dots";
 import { Strands } from "./strands";
 import { Surface } from "./surface";
 import { darkQuery, palette } from "./theme";
+import { Travels } from "./travels";
 
 export const VIEWS = {
   front: [0, -1, 0],
@@ -29,12 +26,17 @@ export type ViewName = keyof typeof VIEWS;
 const FIELD_DEG = 28;
 /** A frame that takes longer while the view moves makes the next ones coarser, ms. */
 const SLOW_MS = 30;
-const COARSEST = 0.25;
+/** Where that is not coarse enough, strands become thin lines. */
+const COARSEST = 0.5;
+/** After a frame as fast as this they are drawn as they are again, ms. */
+const FAST_MS = SLOW_MS / 3;
 /** So long after the last motion the picture is drawn as fine as it can be, ms. */
 const REST_MS = 160;
 const FLIGHT_MS = 420;
 /** Samples along a pixel's edge in a picture that rests: strands have no other smoothing. */
 const FINE = 2;
+/** Where nothing turns by itself, a picture is asked for so long after the last motion, ms. */
+const STILL_MS = 300;
 /** Larger pictures are drawn with fewer samples. */
 const MOST_PIXELS = 16e6;
 
@@ -46,21 +48,28 @@ export class View {
   readonly head = new Head();
   readonly strands = new Strands();
   readonly surface = new Surface();
+  readonly travels = new Travels();
+  readonly breaches = new Dots(10);
+  readonly weak = new Dots(9);
   onFrame: (timeMs: number) => boolean = () => false;
+  /** Without WebGL: called with azimuth and elevation, degrees, once the view rests. */
+  onStill: (azimuthDeg: number, elevationDeg: number) => void = () => undefined;
   /** Frames drawn so far, and how long the last ones took in motion. */
   readonly drawn = { frames: 0, motionMs: 0 };
-  private readonly renderer: WebGLRenderer;
-  private readonly breaches: Points<BufferGeometry, PointsMaterial>;
+  /** Null where the browser has no WebGL 2. */
+  private readonly renderer: WebGLRenderer | null;
   private readonly sphere = new Sphere(new Vector3(0, 0, 40), 80);
   private flight: { from: [Vector3, Vector3]; to: [Vector3, Vector3]; begin: number } | null = null;
   private coarse = 1;
+  private lined = false;
   private asked = 0;
   private askedMs = 0;
   private movedMs = 0;
   private resting = 0;
+  private stilling = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.renderer = hasWebGl() ? new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" }) : null;
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
@@ -68,12 +77,7 @@ export class View {
     this.controls.zoomToCursor = true;
     this.controls.minDistance = 2;
     this.controls.addEventListener("change", () => this.stir());
-    this.breaches = new Points(
-      new BufferGeometry(),
-      new PointsMaterial({ size: 13, sizeAttenuation: false, depthTest: false, transparent: true, map: disc() }),
-    );
-    this.breaches.renderOrder = 10;
-    this.scene.add(this.bed, this.surface, this.strands, this.head, this.breaches);
+    this.scene.add(this.bed, this.surface, this.strands, this.travels, this.head, this.weak, this.breaches);
     new ResizeObserver(() => this.resize()).observe(canvas);
     darkQuery.addEventListener("change", () => this.paint());
     this.paint();
@@ -83,20 +87,19 @@ export class View {
   /** Colours everything for light or dark; strands are coloured by those who know their labels. */
   paint(): void {
     const colours = palette();
-    this.renderer.setClearColor(colours.ground);
+    this.renderer?.setClearColor(colours.ground);
     this.bed.paint(colours);
     this.head.paint(colours);
     this.surface.paint(colours);
+    this.travels.paint(colours);
     this.breaches.material.color.copy(colours.breach);
+    this.weak.material.color.copy(colours.weak);
     this.redraw();
   }
 
-  /** Marks places in red, over everything. */
-  mark(places: [number, number, number][]): void {
-    this.breaches.geometry.dispose();
-    this.breaches.geometry = new BufferGeometry();
-    this.breaches.geometry.setAttribute("position", new BufferAttribute(new Float32Array(places.flat()), 3));
-    this.breaches.visible = places.length > 0;
+  /** Whether it draws by itself, and not by pictures that it asks for. */
+  get turns(): boolean {
+    return this.renderer !== null;
   }
 
   /** Takes in what shall fill the picture. */
@@ -110,6 +113,17 @@ export class View {
     // Straight from above, "up" has no direction: a hair to the front gives it one.
     if (name === "top") away.set(0, -1e-4, 1).normalize();
     this.fly(this.sphere.center.clone(), away, this.distance(), flies);
+  }
+
+  /** Looks from an azimuth (0: the front) and an elevation, degrees. */
+  lookFrom(azimuthDeg: number, elevationDeg: number): void {
+    const [azimuth, elevation] = [(azimuthDeg * Math.PI) / 180, (Math.min(elevationDeg, 89.99) * Math.PI) / 180];
+    const away = new Vector3(
+      Math.sin(azimuth) * Math.cos(elevation),
+      -Math.cos(azimuth) * Math.cos(elevation),
+      Math.sin(elevation),
+    );
+    this.fly(this.sphere.center.clone(), away, this.distance(), false);
   }
 
   /** Turns the view to a place on the print, from the side that it is seen from already. */
@@ -141,6 +155,7 @@ export class View {
 
   /** A picture of the scene as it is, PNG. */
   picture(): Promise<Blob | null> {
+    this.strands.thin = false;
     this.draw(FINE);
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
@@ -170,6 +185,15 @@ export class View {
     this.redraw();
   }
 
+  /** Ends what it holds. */
+  close(): void {
+    cancelAnimationFrame(this.asked);
+    this.asked = -1;
+    this.controls.dispose();
+    this.renderer?.dispose();
+    this.renderer?.forceContextLoss();
+  }
+
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !height) return;
@@ -183,8 +207,12 @@ export class View {
     this.advanceFlight(timeMs);
     const playing = this.onFrame(timeMs);
     const moving = playing || this.flight !== null || timeMs - this.movedMs < REST_MS;
-    if (moving) this.pace();
-    this.draw(moving ? this.coarse : FINE);
+    if (!this.renderer) this.rest();
+    else {
+      if (moving) this.pace();
+      this.strands.thin = moving && this.lined;
+      this.draw(moving ? this.coarse : FINE);
+    }
     if (playing || this.flight) this.redraw();
     else if (moving) {
       clearTimeout(this.resting);
@@ -192,17 +220,32 @@ export class View {
     }
   }
 
-  /** Draws coarser if a frame that was asked for came late, finer if they come at once. */
+  /** Draws coarser, then in lines, if a frame that was asked for came late; finer if they come at once. */
   private pace(): void {
     const took = performance.now() - this.askedMs;
     this.drawn.motionMs = took;
-    if (took > SLOW_MS) this.coarse = Math.max(this.coarse / Math.min(took / SLOW_MS, 2), COARSEST);
-    else if (took < SLOW_MS / 1.6) this.coarse = Math.min(this.coarse * 1.1, FINE);
+    if (took > SLOW_MS) {
+      if (this.coarse === COARSEST) this.lined = true;
+      this.coarse = Math.max(this.coarse / 2, COARSEST);
+    } else if (took < FAST_MS) {
+      if (this.lined) this.lined = false;
+      else this.coarse = Math.min(this.coarse * 1.1, FINE);
+    }
+  }
+
+  /** Asks for a picture from where it is looked from now, once that rests. */
+  private rest(): void {
+    clearTimeout(this.stilling);
+    this.stilling = window.setTimeout(() => {
+      const [x, y, z] = this.camera.position.clone().sub(this.controls.target).normalize().toArray();
+      const degrees = 180 / Math.PI;
+      this.onStill(Math.atan2(x, -y) * degrees, Math.asin(z) * degrees);
+    }, STILL_MS);
   }
 
   private draw(scale: number): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    if (!width || !height) return;
+    if (!width || !height || !this.renderer) return;
     const most = Math.sqrt(MOST_PIXELS / (width * height));
     const ratio = Math.min(scale > 1 ? Math.max(devicePixelRatio, scale) : devicePixelRatio * scale, most);
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
@@ -236,13 +279,8 @@ export class View {
   }
 }
 
-function disc(): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const ink = canvas.getContext("2d")!;
-  ink.fillStyle = "#fff";
-  ink.beginPath();
-  ink.arc(32, 32, 26, 0, 2 * Math.PI);
-  ink.fill();
-  return new CanvasTexture(canvas);
+function hasWebGl(): boolean {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return probe !== null;
 }

@@ -131,13 +131,15 @@ def view(
         [file, *marks.files, *chosen.files],
     )
     places: tuple[Weak, ...] = ()
+    gcode: bytes | None = None
     by_stdin = is_stream(file) and options["file_format"] is None
     if by_stdin or pictures.is_gcode(file):
         if marks.fill or marks.files:
             raise click.UsageError(f"{file}: G-code cannot be marked; mark its model")
         if stage is not None:
             raise click.UsageError(f"{file}: --stage draws what becomes of a model; name its model")
-        shown: Shown = pictures.strands_in(file)
+        gcode = pictures.text_in(file)
+        shown: Shown = pictures.strands_from(gcode, file)
         places = _weak(file) if weak else ()
     elif stage is not None:
         from wireprint import view_stages
@@ -158,7 +160,7 @@ def view(
         "weak": [place.place_mm for place in places],
     }
     if str(target).lower().endswith(files.PAGE_SUFFIXES):
-        target.write(pictures.render_html(shown, **common).encode())
+        target.write(pictures.render_html(shown, gcode=gcode, **common).encode())
     else:
         target.write(pictures.render_png(shown, size=size, edges=edges, **common))
     say(f"{target}: {file.name}", err=output == STREAM)

@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 #: Path → file in ``static`` and its type. Nothing else is given.
 _FILES: Final = {
     "/": ("index.html", "text/html; charset=utf-8"),
-    "/studio.css": ("studio.css", "text/css; charset=utf-8"),
     "/studio.js": ("studio.js", "text/javascript; charset=utf-8"),
     "/licences.txt": ("licences.txt", "text/plain; charset=utf-8"),
 }

@@ -124,6 +124,13 @@ impl Strands {
         arrays::vector(py, self.core.features.clone())
     }
 
+    /// Line of the G-code that lays each strand, from 1, uint64 (N,); `None` where there is no text.
+    #[getter]
+    fn lines<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<u64>>> {
+        let lines = &self.core.lines;
+        (lines.len() == self.core.segments.len()).then(|| PyArray1::from_slice(py, lines))
+    }
+
     fn __len__(&self) -> usize {
         self.core.segments.len()
     }

@@ -37,6 +37,8 @@ pub struct Strands {
     pub diameters: Vec<f64>,
     /// Index of each strand's label.
     pub features: Vec<u16>,
+    /// Line of the G-code that lays each strand, from 1; empty where there is no text.
+    pub lines: Vec<u64>,
     /// Labels in small letters (`contour`), as they are met; strands before any have an empty one.
     pub labels: Vec<String>,
     /// Start and end of each move without extrusion, mm.
@@ -69,6 +71,7 @@ impl Strands {
             machine.apply(line, &command, |event| {
                 if let Event::Step(step) = event {
                     strands.add_step(&step);
+                    strands.lines.resize(strands.segments.len(), line);
                 }
             });
         }
