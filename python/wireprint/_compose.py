@@ -74,7 +74,7 @@ def validate(model: type[Model], values: Mapping[str, Any], origins: Origins) ->
 def _add_profile(values: dict[str, Any], origins: Origins, kind: catalogue.Kind, name: str) -> None:
     prefix = (kind.removesuffix("s"),)
     for file in lineage.generations(kind, name):
-        lineage.merge(values, _nest(prefix, file.table))
+        toml.merge(values, _nest(prefix, file.table))
         origins[prefix] = f"{file.path.name}: "
         for key, line in file.lines.items():
             _note(origins, prefix + key, f"{file.path.name}:{line}: ")
@@ -83,7 +83,7 @@ def _add_profile(values: dict[str, Any], origins: Origins, kind: catalogue.Kind,
 def _add_nozzle(values: dict[str, Any], origins: Origins, nozzle_mm: float) -> None:
     """Lay over a printer what another nozzle changes."""
     for key, value in nozzles.changed(values.get("printer"), nozzle_mm).items():
-        lineage.merge(values, _nest(("printer", *key), value))
+        toml.merge(values, _nest(("printer", *key), value))
         _note(origins, ("printer", *key), f"--nozzle {nozzle_mm:g}: ")
 
 
@@ -95,7 +95,7 @@ def _add_loaded(
     for name, value in table.items():
         place = f"{path.name}:{lines.get((name,), 1)}: "
         key = _anchor(model, (name,), place)
-        lineage.merge(values, _nest(key, value))
+        toml.merge(values, _nest(key, value))
     for key, line in lines.items():
         place = f"{path.name}:{line}: "
         _note(origins, _anchor(model, key, place), place)
@@ -110,7 +110,7 @@ def _add_override(
         msg = f"{place}expected key=value"
         raise SettingError(msg)
     key = _anchor(model, tuple(name.strip().split(".")), place)
-    lineage.merge(values, _nest(key, _value(text.strip())))
+    toml.merge(values, _nest(key, _value(text.strip())))
     _note(origins, key, place)
 
 

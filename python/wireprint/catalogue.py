@@ -11,8 +11,8 @@ from wireprint._core import SettingError
 Kind = Literal["printers", "materials"]
 KINDS: tuple[Kind, ...] = ("printers", "materials")
 
-#: Profiles of other programs: Klipper's and PrusaSlicer's, OrcaSlicer's and Cura's.
-FOREIGN_SUFFIXES = (".cfg", ".ini", ".json")
+#: Files of other programs that say what a printer is: firmware's, slicers', and their G-code.
+FOREIGN_SUFFIXES = (".cfg", ".ini", ".json", ".gcode", ".bgcode", ".3mf")
 _EXAMPLE: dict[Kind, str] = {"printers": "prusa-mk4s", "materials": "pla"}
 
 _FOLDER = Path(__file__).parent / "profiles"

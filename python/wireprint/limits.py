@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TypedDict, get_args
 
 from wireprint import toml
 from wireprint._core import SettingError
+from wireprint.catalogue import FOREIGN_SUFFIXES
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -68,12 +69,18 @@ def of_mapping(table: Mapping[str, Any]) -> MotionTable:
 def of_file(where: str) -> MotionTable:
     """Limits of ``FILE.toml#TABLE``; without a table, of the file's top.
 
+    A file of another program will do as well: ``printer.cfg``, a slicer's profile, or its G-code.
+
     Raises
     ------
     SettingError
         Where the file, the table or one of its values is wrong.
     """
     name, _, table = where.partition("#")
+    if name.lower().endswith(FOREIGN_SUFFIXES):
+        from wireprint.importing import motion_of
+
+        return of_mapping(motion_of(name))
     values: Any = toml.read(Path(name))[1]
     for part in filter(None, table.split(".")):
         if not isinstance(values, dict) or part not in values:

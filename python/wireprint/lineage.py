@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import catalogue, toml
 from wireprint._core import SettingError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-    from pathlib import Path
-
     from wireprint.toml import Key
 
 #: The key that names another profile, whose figures hold wherever a profile has none.
@@ -42,13 +40,16 @@ def generations(kind: catalogue.Kind, name: str) -> list[Generation]:
     Parameters
     ----------
     kind, name
-        As for `catalogue.find`.
+        As for `catalogue.find`. A printer may be a file of another program, too, with the name of
+        its hot end, or of a printer that is like it: ``printer.cfg#v6``.
 
     Raises
     ------
     SettingError
         A file cannot be read, is no TOML, or inherits from nothing or from itself.
     """
+    if kind == "printers" and (foreign := _foreign(name)) is not None:
+        return [_imported(*foreign)]
     found: list[Generation] = []
     path = catalogue.find(kind, name)
     while True:
@@ -99,11 +100,25 @@ def _give_up_sizes(heir: dict[str, Any], elders: list[Generation]) -> None:
                 other.pop(key, None)
 
 
-def merge(into: dict[str, Any], layer: Mapping[str, Any]) -> None:
-    """Lay tables over others, entry by entry."""
-    for name, value in layer.items():
-        below = into.get(name)
-        if isinstance(below, dict) and isinstance(value, dict):
-            merge(below, value)
-        else:
-            into[name] = value
+def tables(name: str) -> dict[str, Any]:
+    """Return what a printer's profile and its elders say together."""
+    values: dict[str, Any] = {}
+    for file in generations("printers", name):
+        toml.merge(values, file.table)
+    return values
+
+
+def _foreign(name: str) -> tuple[str, str] | None:
+    """Return a file of another program's, and what it is completed by; None for a profile."""
+    path, _, by = name.partition("#")
+    return (path, by) if path.lower().endswith(catalogue.FOREIGN_SUFFIXES) else None
+
+
+def _imported(path: str, by: str) -> Generation:
+    from wireprint.importing import imported
+    from wireprint.importing.hotends import HOTENDS
+
+    hotend = by if by in HOTENDS else None
+    like = (by, tables(by)) if by and hotend is None else None
+    found = imported([path], hotend=hotend, like=like)
+    return Generation(Path(path), found.text(), dict(found.values), {})

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any, Final
 
-from wireprint.lineage import generations, merge
+from wireprint.lineage import generations
+from wireprint.toml import merge
 from wireprint.toml_text import written
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 from wireprint._core import SettingError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
     from pathlib import Path
 
 #: A dotted key, part by part.
@@ -70,3 +70,13 @@ def lines_of_keys(text: str) -> Iterable[tuple[Key, int]]:
         for mark in ('"""', "'''"):
             if quotes in ("", mark) and line.count(mark) % 2:
                 quotes = "" if quotes else mark
+
+
+def merge(into: dict[str, Any], layer: Mapping[str, Any]) -> None:
+    """Lay tables over others, entry by entry."""
+    for name, value in layer.items():
+        below = into.get(name)
+        if isinstance(below, dict) and isinstance(value, dict):
+            merge(below, value)
+        else:
+            into[name] = value

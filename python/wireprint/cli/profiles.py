@@ -14,7 +14,13 @@ from wireprint.cli import completion
 from wireprint.cli.say import say, say_all
 
 #: Name of each subcommand → its module, the command in it, and the summary for ``--help``.
-_COMMANDS: Final[dict[str, tuple[str, str, str]]] = {}
+_COMMANDS: Final[dict[str, tuple[str, str, str]]] = {
+    "import": (
+        "wireprint.cli.profiles_import",
+        "import_profile",
+        "Write a profile of your own printer from files of other programs.",
+    ),
+}
 
 
 class _Profiles(click.Group):

@@ -1,0 +1,331 @@
+"""Printers of other programs as profiles, figure by figure as their files say."""
+
+import json
+import tomllib
+
+import pytest
+
+import printer_files as files
+from wireprint import limits
+from wireprint._core import SettingError
+from wireprint.importing import imported
+from wireprint.importing.hotends import HOTENDS
+from wireprint.importing.trial import tried
+from wireprint.settings import Settings
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """All the kinds of files, side by side."""
+    (tmp_path / "mcu").mkdir()
+    (tmp_path / "mcu" / "board.cfg").write_text("[mcu]\nserial: /dev/ttyUSB0\n")
+    (tmp_path / "macros.cfg").write_text(files.KLIPPER_MACROS)
+    (tmp_path / "printer.cfg").write_text(files.KLIPPER)
+    (tmp_path / "delta.cfg").write_text(files.DELTA)
+    (tmp_path / "maker.ini").write_text(files.ini(files.SLIC3R))
+    (tmp_path / "bundle.ini").write_text(files.bundle())
+    (tmp_path / "fdm_maker_common.json").write_text(json.dumps(files.ORCA_BASE, indent=4))
+    (tmp_path / "cube.json").write_text(json.dumps(files.ORCA, indent=4))
+    (tmp_path / "maker_base.def.json").write_text(json.dumps(files.CURA_BASE, indent=4))
+    (tmp_path / "maker_two.def.json").write_text(json.dumps(files.CURA, indent=4))
+    (tmp_path / "prusa.gcode").write_text(files.block(files.SLIC3R))
+    (tmp_path / "orca.gcode").write_text(files.orca_block())
+    project = files.project("Metadata/project_settings.config", json.dumps(files.orca_config()))
+    (tmp_path / "orca.3mf").write_bytes(project)
+    lines = files.block(files.SLIC3R).replace("prusaslicer_config", "nothing")
+    (tmp_path / "prusa.3mf").write_bytes(files.project("Metadata/Slic3r_PE.config", lines))
+    return tmp_path
+
+
+def flat(values, prefix=""):
+    """A profile's figures by dotted key."""
+    found = {}
+    for key, value in values.items():
+        within = isinstance(value, dict)
+        found |= flat(value, f"{prefix}{key}.") if within else {f"{prefix}{key}": value}
+    return found
+
+
+def told(text):
+    """The commands of a sequence."""
+    return [line for line in text.splitlines() if line.strip()]
+
+
+FIGURES = {
+    "printer.cfg": {
+        "kinematics": "cartesian",
+        "bed.width_mm": 231,
+        "bed.depth_mm": 222,
+        "bed.height_mm": 243,
+        "bed.origin": "corner",
+        "head.nozzle_mm": 0.6,
+        "motion.max_velocity": 280,
+        "motion.max_accel": 2700,
+        "motion.max_z_velocity": 9,
+        "motion.max_z_accel": 90,
+        "motion.square_corner_velocity": 6.5,
+        "motion.max_extrude_only_velocity": 61,
+        "homing.x_mm": -4,
+        "homing.y_mm": 0,
+        "homing.z_end": "bed",
+        "homing.lift_mm": 8,
+        "homing.z_place_mm": [110, 112.5],
+        "extruder.retract_mm": 0.9,
+        "extruder.retract_speed_mm_s": 41,
+        "extruder.filament_diameter_mm": 1.75,
+        # What SAVE_CONFIG keeps wins.
+        "extruder.pressure_lag_s": 0.031,
+        "gcode.flavor": "klipper",
+    },
+    "delta.cfg": {
+        "kinematics": "delta",
+        "bed.shape": "round",
+        "bed.diameter_mm": 224,
+        "bed.origin": "centre",
+        "motion.delta_radius": 151.5,
+        "motion.arm_length": 281,
+        "motion.endstop_height": 371.5,
+        "motion.print_radius": 112,
+        "motion.step_distance": 0.0125,
+        "motion.max_z_velocity": 155,
+        "motion.max_z_accel": 3100,
+    },
+    "maker.ini": {
+        "name": "Maker One",
+        "known_as": ["Maker One"],
+        "kinematics": "cartesian",
+        "bed.shape": "rectangular",
+        "bed.width_mm": 231,
+        "bed.depth_mm": 212,
+        "bed.height_mm": 243,
+        "head.nozzle_mm": 0.6,
+        "head.carriage_height_mm": 17,
+        "head.carriage_radius_mm": 46,
+        "motion.max_velocity": 210,
+        "motion.max_accel": 1260,
+        "motion.max_z_velocity": 13,
+        "motion.max_extrude_only_velocity": 90,
+        "motion.marlin.max_velocity": [210, 205, 13, 90],
+        "motion.marlin.max_accel": [1300, 1250, 210, 5100],
+        "motion.marlin.jerk": [8, 7, 0.3, 4.5],
+        "motion.marlin.print_accel": 1260,
+        "motion.marlin.travel_accel": 1510,
+        "motion.marlin.retract_accel": 1230,
+        "extruder.retract_mm": 0.75,
+        "extruder.retract_speed_mm_s": 36,
+        "extruder.unretract_speed_mm_s": 24,
+        "extruder.max_flow_mm3_s": 14,
+        "gcode.flavor": "marlin",
+        "gcode.thumbnails": [[16, 16, "QOI"], [313, 173, "QOI"], [640, 480]],
+    },
+    "cube.json": {
+        "name": "Maker Cube",
+        "kinematics": "corexy",
+        "bed.width_mm": 221,
+        "bed.depth_mm": 212,
+        "bed.height_mm": 243,
+        "head.nozzle_mm": 0.6,
+        "head.carriage_height_mm": 36,
+        "head.carriage_radius_mm": 57,
+        "motion.max_velocity": 410,
+        "motion.max_accel": 10100,
+        "motion.max_z_velocity": 21,
+        "motion.marlin.max_velocity": [410, 400, 21, 31],
+        "motion.marlin.max_accel": [11000, 10500, 510, 5050],
+        "motion.marlin.jerk": [9, 9, 3, 2.5],
+        "motion.marlin.travel_accel": 10100,
+        "extruder.retract_mm": 0.8,
+        "extruder.retract_speed_mm_s": 33,
+        "extruder.unretract_speed_mm_s": 29,
+        "gcode.thumbnails": [[48, 48], [300, 300]],
+    },
+    "maker_two.def.json": {
+        "name": "Maker Two",
+        "bed.width_mm": 236,
+        "bed.depth_mm": 227,
+        "bed.height_mm": 252,
+        "head.carriage_height_mm": 26,
+        "head.carriage_radius_mm": 46.7,
+        "motion.max_velocity": 320,
+        "motion.max_accel": 510,
+        "motion.max_z_velocity": 11,
+        "motion.max_extrude_only_velocity": 52,
+        "extruder.retract_mm": 5.5,
+        "extruder.retract_speed_mm_s": 47,
+        "gcode.flavor": "marlin",
+    },
+}
+FIGURES["prusa.gcode"] = FIGURES["prusa.3mf"] = FIGURES["maker.ini"]
+FIGURES["orca.gcode"] = FIGURES["orca.3mf"] = FIGURES["cube.json"]
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_each_figure_is_what_the_file_says(folder, name):
+    found = flat(imported([folder / name], hotend="v6").values)
+    assert {key: found.get(key) for key in FIGURES[name]} == FIGURES[name]
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_what_is_imported_is_a_profile_that_prints(folder, name):
+    found, settings = tried(imported([folder / name], hotend="v6"))
+    mine = folder / "mine.toml"
+    mine.write_text(found.text(), encoding="utf-8")
+    assert Settings.load(str(mine)).printer == settings.printer
+    assert tomllib.loads(found.text()) == found.values
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_each_figure_names_file_line_and_key_or_is_called_an_estimate(folder, name):
+    found = imported([folder / name], hotend="v6")
+    for key, comment in found.comments.items():
+        assert comment, key
+    lines = (folder / "printer.cfg").read_text().splitlines()
+    if name == "printer.cfg":
+        place = found.comments["bed", "width_mm"]
+        number = lines.index("position_max: 231   # as far as the switch") + 1
+        assert place == f"printer.cfg:{number}, position_max"
+
+
+def test_a_start_macro_is_called_with_the_temperatures_that_it_asks_for(folder):
+    gcode = imported([folder / "printer.cfg"], hotend="v6").values["gcode"]
+    assert told(gcode["start"]) == [
+        "START_PRINT BED_TEMP={bed_c} EXTRUDER_TEMP={nozzle_c}",
+        "M190 S{bed_c}",
+        "M109 S{nozzle_c}",
+    ]
+    # An end macro is written out, so that it can be judged, behind a rise above the print.
+    assert told(gcode["end"]) == [
+        "G90",
+        "G1 Z{park_z_mm} F600",
+        "M140 S0",
+        "M104 S0",
+        "M106 S0",
+        "G91",
+        "G1 X-2 Y-2 E-3 F300",
+        "G90",
+        "M84",
+    ]
+
+
+def test_a_macro_with_logic_is_not_believed(folder):
+    macros = "[gcode_macro PRINT_END]\ngcode:\n  {% if printer.x %}\n  G1 X0\n  {% endif %}\n"
+    (folder / "macros.cfg").write_text(macros)
+    found = imported([folder / "printer.cfg"], hotend="v6")
+    assert "PRINT_END" not in found.values["gcode"]["end"]
+    assert any("PRINT_END decides by itself" in remark for remark in found.remarks)
+
+
+def test_placeholders_are_resolved_or_named(folder):
+    found = imported([folder / "maker.ini"], hotend="v6")
+    assert told(found.values["gcode"]["start"]) == [
+        "G90",
+        "M83",
+        "M104 S{nozzle_c}",
+        "M140 S{bed_c}",
+        "M190 S{bed_c}",
+        "M109 S{nozzle_c}",
+        "G28 W",
+        "G80",
+    ]
+    assert told(found.values["gcode"]["end"]) == [
+        "G1 Z{park_z_mm} F720",
+        "M104 S0",
+        "M140 S0",
+        "M107",
+        "G1 X200 Y170 F3600",
+        "M84 X Y E",
+    ]
+    assert any("M907 E{unheard_of*2}" in remark for remark in found.remarks)
+    assert any("G1 Y-3 F1000; G1 X60 E9 F1000" in remark for remark in found.remarks)
+
+
+def test_a_bundle_asks_which_printer_is_meant(folder):
+    with pytest.raises(SettingError, match=r"a bundle of 2 printers; .*Maker One, Maker One 0\.8"):
+        imported([folder / "bundle.ini"], hotend="v6")
+    with pytest.raises(
+        SettingError, match="no printer is called 'Maker Oen'; did you mean Maker One"
+    ):
+        imported([folder / "bundle.ini"], hotend="v6", preset="Maker Oen")
+    found = flat(imported([folder / "bundle.ini"], hotend="v6", preset="Maker One 0.8").values)
+    assert (found["head.nozzle_mm"], found["bed.height_mm"]) == (0.8, 200)
+
+
+def test_several_files_complete_each_other(folder):
+    (folder / "filament.ini").write_text(
+        "filament_max_volumetric_speed = 8\nnozzle_diameter = 0.6\n"
+    )
+    found = imported([folder / "printer.cfg", folder / "filament.ini"], hotend="v6")
+    assert found.values["extruder"]["max_flow_mm3_s"] == 8
+    assert found.values["bed"]["width_mm"] == 231
+
+
+def test_what_cura_changed_completes_a_printer_that_is_like_it(folder):
+    (folder / "cura.gcode").write_text(files.cura_changes())
+    with pytest.raises(SettingError, match=r"it does not say bed\.shape; .* --like"):
+        imported([folder / "cura.gcode"], hotend="v6")
+    from wireprint.lineage import tables
+
+    like = ("prusa-mk4s", tables("prusa-mk4s"))
+    found = flat(imported([folder / "cura.gcode"], like=like).values)
+    assert found["name"] == "Maker Two"
+    assert found["bed.height_mm"] == 199
+    assert found["extruder.retract_mm"] == 3
+    assert found["bed.width_mm"] == 250
+
+
+def test_the_heads_shape_is_asked_for(folder):
+    with pytest.raises(
+        SettingError, match=r"does not say the head's shape .*--hotend \(v6, volcano"
+    ):
+        imported([folder / "printer.cfg"])
+    with pytest.raises(SettingError, match="--hotend rapdio: did you mean rapido"):
+        imported([folder / "printer.cfg"], hotend="rapdio")
+
+
+@pytest.mark.parametrize("hotend", HOTENDS)
+def test_every_hot_end_makes_a_head_that_prints(folder, hotend):
+    found = imported([folder / "delta.cfg"], hotend=hotend)
+    tried(found)
+    assert found.values["head"]["slant_deg"] == HOTENDS[hotend].slant_deg
+
+
+def test_a_delta_of_a_slicer_takes_its_geometry_from_one_that_is_like_it(folder):
+    from math import cos, sin, tau
+
+    corners = ",".join(
+        f"{90 * cos(tau * i / 24):.9g}x{90 * sin(tau * i / 24):.9g}" for i in range(24)
+    )
+    (folder / "round.ini").write_text(files.ini(files.SLIC3R, bed_shape=corners))
+    with pytest.raises(SettingError, match=r"motion\.delta_radius of a delta; .*printer\.cfg"):
+        imported([folder / "round.ini"], hotend="v6")
+    from wireprint.lineage import tables
+
+    found = imported([folder / "round.ini"], like=("kossel-mini", tables("kossel-mini")))
+    assert found.values["bed"]["diameter_mm"] == 180
+    assert found.values["motion"]["delta_radius"] == 101
+
+
+def test_a_file_of_another_program_is_a_printer_wherever_one_is_named(folder):
+    cfg = folder / "printer.cfg"
+    settings = Settings.load(f"{cfg}#rapido")
+    assert settings.printer.bed.width_mm == 231
+    assert Settings.load(f"{cfg}#prusa-mk4s").printer.head.slant_deg == 30
+    with pytest.raises(SettingError, match="--hotend"):
+        Settings.load(str(cfg))
+
+
+def test_it_tells_the_limits_that_time_is_computed_from(folder):
+    found = limits.of_file(str(folder / "printer.cfg"))
+    assert (found["kinematics"], found["max_velocity"], found["max_accel"]) == (
+        "cartesian",
+        280,
+        2700,
+    )
+    assert limits.of_file(str(folder / "maker.ini"))["marlin"]["jerk"] == (8, 7, 0.3, 4.5)
+
+
+def test_a_bed_that_begins_beside_zero_keeps_its_middle(folder):
+    (folder / "a.ini").write_text(files.ini(files.SLIC3R, bed_shape="5x0,215x0,215x220,5x220"))
+    found = imported([folder / "a.ini"], hotend="mk8")
+    assert found.values["bed"]["width_mm"] == 220
+    assert any("keep to models of 210 × 220 mm" in remark for remark in found.remarks)
