@@ -76,7 +76,9 @@ def _union(own: Head, known: Head) -> tuple[Head, list[str]]:
         for key, figure in figures.items()
         if getattr(own, key) != figure
     ]
-    return own.model_copy(update=figures), smaller
+    missing = tuple(part for part in known.parts if part not in own.parts)
+    smaller += [f"no {part}" for part in missing]
+    return own.model_copy(update={**figures, "parts": (*own.parts, *missing)}), smaller
 
 
 def _holds(known: Bed, own: Bed) -> bool:

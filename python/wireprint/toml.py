@@ -53,6 +53,7 @@ def read(path: Path) -> tuple[str, dict[str, Any]]:
 
 
 _TABLE = re.compile(r"\s*\[\s*([\w.\-]+)\s*\]")
+_LISTED = re.compile(r"\s*\[\[\s*([\w.\-]+)\s*\]\]")
 _ENTRY = re.compile(r"\s*([\w.\-]+)\s*=")
 
 
@@ -60,9 +61,15 @@ def lines_of_keys(text: str) -> Iterable[tuple[Key, int]]:
     """Yield each table and entry with its line number, which `tomllib` does not tell."""
     table: Key = ()
     quotes = ""
+    counts: dict[Key, int] = {}
     for number, line in enumerate(text.splitlines(), start=1):
         if not quotes:
-            if head := _TABLE.match(line):
+            if listed := _LISTED.match(line):
+                name = tuple(listed[1].split("."))
+                counts[name] = counts.get(name, -1) + 1
+                table = (*name, str(counts[name]))
+                yield table, number
+            elif head := _TABLE.match(line):
                 table = tuple(head[1].split("."))
                 yield table, number
             elif entry := _ENTRY.match(line):

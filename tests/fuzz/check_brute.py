@@ -12,9 +12,12 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parents[1]))
+
 from brute import Judge, Verdict
 from random_gcode import gcode
 
+import random_heads
 import wireprint
 from wireprint import Settings, catalogue, examples
 from wireprint.rules import rules_of
@@ -43,7 +46,8 @@ def case(seed: int, folder: Path) -> tuple[list[str], Settings]:
     """Return the lines of a random file, and what to judge it by."""
     draw = random.Random(seed)
     printer = draw.choice(catalogue.names("printers"))
-    settings = Settings.load(printer, overrides=draw.choice(OTHERS))
+    overrides = [*draw.choice(OTHERS), *random_heads.parts(random.Random(f"head {seed}"))]
+    settings = Settings.load(printer, overrides=overrides)
     return gcode(draw, settings, own_lines(Settings.load(printer), folder)), settings
 
 

@@ -6,7 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::cells::Cells;
-use crate::head::Head;
+use crate::head::{Body, Head};
 
 /// Strands in a grid over the plane.
 #[derive(Debug)]
@@ -76,12 +76,15 @@ impl Material {
     #[must_use]
     pub fn is_hit(&self, head: &Head, from: DVec3, to: DVec3, tolerance: f64) -> bool {
         let rise = self.top - from.z.min(to.z) - tolerance;
-        if rise <= 0.0 {
-            return false;
-        }
-        let reach = head.reach_at(rise);
-        let (low, high) = (from.min(to).truncate(), from.max(to).truncate());
-        let (columns, rows) = self.grid.span(low - reach, high + reach);
+        head.bodies()
+            .any(|body| rise > body.bottom() && self.hits(&body, rise, [from, to], tolerance))
+    }
+
+    /// As [`Material::is_hit`], of one body, with no material more than `rise` mm above the tip.
+    fn hits(&self, body: &Body<'_>, rise: f64, path: [DVec3; 2], tolerance: f64) -> bool {
+        let [from, to] = path.map(|p| p.truncate() + body.middle());
+        let reach = body.reach_at(rise);
+        let (columns, rows) = self.grid.span(from.min(to) - reach, from.max(to) + reach);
         let (left, bottom) = (*columns.start(), *rows.start());
         rows.into_iter().any(|row| {
             columns.clone().any(|column| {
@@ -90,7 +93,7 @@ impl Material {
                     // Several cells list it: it is tested in the first of them.
                     strand.column.max(left) == column
                         && strand.row.max(bottom) == row
-                        && head.deeper_than(tolerance, [from, to], strand.ends).is_some()
+                        && body.deeper_than(tolerance, path, strand.ends).is_some()
                 })
             })
         })

@@ -1,18 +1,24 @@
-//! The print head as a body of revolution that opens upwards, and the exact test
-//! of a straight head move against a straight strand.
+//! The print head as bodies that open upwards, one of them round about the nozzle, and the exact
+//! test of a straight head move against a straight strand.
 //!
 //! Both the generator and the checker use this file; it is all that they share.
 
+mod body;
+mod clip;
+mod depth;
+mod part;
 mod sweep;
 
 use serde::Deserialize;
 
 use crate::error::{CoreError, Result};
 
+pub use body::Body;
+pub use part::{Part, Shape};
 pub use sweep::Hit;
 
-/// The head: a flat tip, a conical flank, the heater block, the carriage.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+/// The head: a flat tip, a conical flank, the heater block, the carriage, and what is not round.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(try_from = "Figures")]
 pub struct Head {
     /// Radius of the nozzle's flat tip, mm.
@@ -27,6 +33,25 @@ pub struct Head {
     pub carriage_height: f64,
     /// Radius of the carriage, mm.
     pub carriage_radius: f64,
+    /// Fan ducts, probes, shrouds: what is beside the round body, or lower than it.
+    pub parts: Vec<Part>,
+}
+
+/// The tip and the flank around it, which alone decide how the strokes of a zigzag may lie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flank {
+    /// Radius of the nozzle's flat tip, mm.
+    pub tip_radius: f64,
+    /// Tangent of the flank's slant angle from the horizontal.
+    pub slope: f64,
+}
+
+impl Flank {
+    /// Horizontal distance that a base point must keep from material `height` mm above it, mm.
+    #[must_use]
+    pub fn clearance(&self, height: f64) -> f64 {
+        self.tip_radius + height.max(0.0) / self.slope
+    }
 }
 
 /// A head's figures by the names of a profile's `[head]` table: mm, and degrees from the horizontal.
@@ -39,6 +64,8 @@ struct Figures {
     block_radius_mm: f64,
     carriage_height_mm: f64,
     carriage_radius_mm: f64,
+    #[serde(default)]
+    parts: Vec<Part>,
 }
 
 impl TryFrom<Figures> for Head {
@@ -53,11 +80,12 @@ impl TryFrom<Figures> for Head {
             of.carriage_height_mm,
             of.carriage_radius_mm,
         )
+        .map(|head| head.with_parts(of.parts))
     }
 }
 
 impl Head {
-    /// A head from its profile's figures; `slant_deg` is the flank's angle from the horizontal.
+    /// A round head from its profile's figures; `slant_deg` is the flank's angle from the horizontal.
     ///
     /// # Errors
     /// [`CoreError::Setting`] where a figure is not finite or out of its bounds.
@@ -91,10 +119,24 @@ impl Head {
                 (flank * 100.0).ceil() / 100.0
             )));
         }
-        Ok(Self { tip_radius, slope, cone_height, block_radius, carriage_height, carriage_radius })
+        Ok(Self {
+            tip_radius,
+            slope,
+            cone_height,
+            block_radius,
+            carriage_height,
+            carriage_radius,
+            parts: Vec::new(),
+        })
     }
 
-    /// Lowest height of the head above its tip at horizontal distance `r`, mm; infinite outside.
+    /// The same head with these parts, and no others, beside its round body.
+    #[must_use]
+    pub fn with_parts(self, parts: Vec<Part>) -> Self {
+        Self { parts, ..self }
+    }
+
+    /// Lowest height of the round body above its tip at horizontal distance `r`, mm; infinite outside.
     ///
     /// `design`: 0 up to the tip's radius, the flank, then block and carriage.
     #[must_use]
@@ -109,9 +151,15 @@ impl Head {
         }
     }
 
+    /// The tip and the flank.
+    #[must_use]
+    pub fn flank(&self) -> Flank {
+        Flank { tip_radius: self.tip_radius, slope: self.slope }
+    }
+
     /// Horizontal distance that a base point must keep from material `height` mm above it, mm.
     #[must_use]
     pub fn clearance(&self, height: f64) -> f64 {
-        self.tip_radius + height.max(0.0) / self.slope
+        self.flank().clearance(height)
     }
 }

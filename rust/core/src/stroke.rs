@@ -7,7 +7,7 @@
 //! the stroke is faster than the straight one: were it level first, the trailing edge would cut
 //! into the level piece instead of the post.
 
-use crate::head::Head;
+use crate::head::{Flank, Head};
 
 /// Part of a joint's squash that is used, so that rounding cannot fail the proof.
 pub const SQUASH: f64 = 0.97;
@@ -16,10 +16,10 @@ const PAPER_SLOPE_DEG: f64 = 32.0;
 /// What the paper's zigzag leaves beside the slope, in strands: its tip's radius, 0.5 mm of 0.7 mm.
 const PAPER_TIP: f64 = 5.0 / 7.0;
 
-/// A head with the strand that it lays; lengths in mm.
+/// A head's flank with the strand that it lays; lengths in mm.
 #[derive(Debug, Clone, Copy)]
 pub struct Strokes {
-    head: Head,
+    flank: Flank,
     strand: f64,
 }
 
@@ -27,7 +27,7 @@ impl Strokes {
     /// Strokes of strands with this diameter, mm.
     #[must_use]
     pub fn new(head: &Head, strand: f64) -> Self {
-        Self { head: *head, strand }
+        Self { flank: head.flank(), strand }
     }
 
     /// How far a strand may reach into the head, mm.
@@ -40,7 +40,7 @@ impl Strokes {
     #[must_use]
     pub fn legal_run(&self, height: f64) -> f64 {
         let fall = height.max(0.0);
-        self.head.clearance(fall).max(fall * self.head.tip_radius / self.squash())
+        self.flank.clearance(fall).max(fall * self.flank.tip_radius / self.squash())
     }
 
     /// The horizontal way that a zigzag of `height` mm aims at, mm: the paper's proportions, or more

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use glam::{DVec2, DVec3, dvec3};
-use wireprint_core::head::Head;
+use wireprint_core::head::{Head, Part, Shape};
 
 /// The paper's Kossel Mini with a carriage as wide as the default profile's.
 fn kossel() -> Head {
@@ -32,14 +32,57 @@ impl Random {
     }
 }
 
-/// Depth of the head with its tip at `p` in material at `q`.
-fn depth_at(head: &Head, p: DVec3, q: DVec3) -> f64 {
-    let d = q - p;
-    d.z - head.underside(DVec2::new(d.x, d.y).length())
+/// Whether a part by its profile's words is above a place seen from the tip, told as plainly as can
+/// be; places outside by less than `slack` mm count as inside.
+fn is_over(shape: &Shape, d: DVec3, slack: f64) -> bool {
+    match *shape {
+        Shape::Box { x_mm, y_mm, turn_deg, .. } => {
+            let (sin, cos) = turn_deg.to_radians().sin_cos();
+            let (x, y) = (cos * d.x + sin * d.y, cos * d.y - sin * d.x);
+            x_mm[0] - slack <= x
+                && x <= x_mm[1] + slack
+                && y_mm[0] - slack <= y
+                && y <= y_mm[1] + slack
+        }
+        Shape::Cylinder { centre_mm: [x, y], radius_mm, .. } => {
+            (d.x - x).hypot(d.y - y) <= radius_mm + slack
+        }
+    }
+}
+
+fn bottom(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Box { bottom_mm, .. } | Shape::Cylinder { bottom_mm, .. } => bottom_mm,
+    }
+}
+
+/// A head and the words that its parts were made of.
+struct Scene {
+    head: Head,
+    shapes: Vec<Shape>,
+}
+
+impl Scene {
+    fn round(head: Head) -> Self {
+        Self { head, shapes: Vec::new() }
+    }
+
+    fn of(head: Head, shapes: Vec<Shape>) -> Self {
+        let parts = shapes.iter().map(|&shape| Part::try_from(shape).unwrap()).collect();
+        Self { head: head.with_parts(parts), shapes }
+    }
+
+    /// Depth of the head with its tip at `p` in material at `q`; `slack` widens the parts, mm.
+    fn depth_at(&self, p: DVec3, q: DVec3, slack: f64) -> f64 {
+        let d = q - p;
+        let round = d.z - self.head.underside(DVec2::new(d.x, d.y).length());
+        let over = self.shapes.iter().filter(|shape| is_over(shape, d, slack));
+        over.map(|shape| d.z - bottom(shape)).fold(round, f64::max)
+    }
 }
 
 /// The largest depth over an `n × n` lattice of the unit square, refined around its best cell.
-fn sampled(head: &Head, tip: [DVec3; 2], strand: [DVec3; 2], n: usize) -> f64 {
+fn sampled(scene: &Scene, tip: [DVec3; 2], strand: [DVec3; 2], n: usize) -> f64 {
     let (mut best, mut low, mut size) = (f64::NEG_INFINITY, (0.0, 0.0), 1.0);
     for _ in 0..4 {
         let mut at = (0.0, 0.0);
@@ -47,7 +90,8 @@ fn sampled(head: &Head, tip: [DVec3; 2], strand: [DVec3; 2], n: usize) -> f64 {
             for j in 0..=n {
                 let s = (low.0 + size * i as f64 / n as f64).clamp(0.0, 1.0);
                 let t = (low.1 + size * j as f64 / n as f64).clamp(0.0, 1.0);
-                let depth = depth_at(head, tip[0].lerp(tip[1], s), strand[0].lerp(strand[1], t));
+                let (p, q) = (tip[0].lerp(tip[1], s), strand[0].lerp(strand[1], t));
+                let depth = scene.depth_at(p, q, 0.0);
                 if depth > best {
                     best = depth;
                     at = (s, t);
@@ -94,6 +138,43 @@ fn random_head(random: &mut Random) -> Head {
     .unwrap()
 }
 
+/// Up to four boxes and cylinders at any side, some over the nozzle itself.
+fn random_parts(random: &mut Random) -> Vec<Shape> {
+    let count = 1 + (random.unit() * 4.0) as usize;
+    let part = |random: &mut Random| {
+        let (x, y) = (random.range(-30.0, 30.0), random.range(-30.0, 30.0));
+        let bottom_mm = random.range(0.2, 20.0);
+        if random.unit() < 0.6 {
+            let (wide, deep) = (random.range(0.2, 45.0), random.range(0.2, 45.0));
+            // Upright ones are as common as turned ones.
+            let turn_deg = (random.range(-180.0, 180.0) / 45.0).round() * 45.0
+                + if random.unit() < 0.5 { random.range(-20.0, 20.0) } else { 0.0 };
+            Shape::Box { x_mm: [x, x + wide], y_mm: [y, y + deep], bottom_mm, turn_deg }
+        } else {
+            let radius_mm = random.range(0.2, 24.0);
+            Shape::Cylinder { centre_mm: [x, y], radius_mm, bottom_mm }
+        }
+    };
+    (0..count).map(|_| part(random)).collect()
+}
+
+/// Whether the exact depth of a scene is attained where it says, and none that sampling finds is
+/// deeper. Returns whether anything is touched.
+fn is_exact(case: usize, scene: &Scene, tip: [DVec3; 2], strand: [DVec3; 2]) -> bool {
+    let exact = scene.head.worst_depth(tip[0], tip[1], strand[0], strand[1]);
+    let oracle = sampled(scene, tip, strand, 48);
+    let depth = exact.map_or(0.0, |hit| hit.depth);
+    assert!(depth >= oracle - 1e-9, "case {case}: {depth} < sampled {oracle}");
+    let Some(hit) = exact else { return false };
+    assert!((0.0..=1.0).contains(&hit.s) && (0.0..=1.0).contains(&hit.t));
+    let (p, q) = (tip[0].lerp(tip[1], hit.s), strand[0].lerp(strand[1], hit.t));
+    // At the rim of block, carriage or part the underside jumps: approach it from inside.
+    let inwards = (q - p).truncate() * 1e-9;
+    let there = scene.depth_at(p, q, 1e-9).max(scene.depth_at(p, q - inwards.extend(0.0), 1e-9));
+    assert!((there - hit.depth).abs() < 1e-6, "case {case}: {there} ≠ {}", hit.depth);
+    true
+}
+
 #[test]
 fn the_depth_is_never_less_than_what_sampling_finds_and_is_attained() {
     let mut random = Random(1);
@@ -101,35 +182,76 @@ fn the_depth_is_never_less_than_what_sampling_finds_and_is_attained() {
     for case in 0..6_000 {
         let head = if case % 2 == 0 { kossel() } else { random_head(&mut random) };
         let (tip, strand) = scene(&mut random);
-        let exact = head.worst_depth(tip[0], tip[1], strand[0], strand[1]);
-        let oracle = sampled(&head, tip, strand, 48);
-        let depth = exact.map_or(0.0, |hit| hit.depth);
-        assert!(depth >= oracle - 1e-9, "case {case}: {depth} < sampled {oracle}");
-        if let Some(hit) = exact {
-            hits += 1;
-            assert!((0.0..=1.0).contains(&hit.s) && (0.0..=1.0).contains(&hit.t));
-            let p = tip[0].lerp(tip[1], hit.s);
-            let q = strand[0].lerp(strand[1], hit.t);
-            let d = q - p;
-            // At the rim of block or carriage the underside jumps: approach it from inside.
-            let r = DVec2::new(d.x, d.y).length();
-            let there = (d.z - head.underside(r)).max(d.z - head.underside(r * (1.0 - 1e-9)));
-            assert!((there - hit.depth).abs() < 1e-6, "case {case}: {there} ≠ {}", hit.depth);
-        }
+        hits += usize::from(is_exact(case, &Scene::round(head), tip, strand));
     }
     assert!(hits > 2_000, "only {hits} scenes touched: the test says little");
 }
 
 #[test]
+fn the_depth_in_boxes_and_cylinders_is_exact_as_well() {
+    let mut random = Random(3);
+    let (mut hits, mut by_parts) = (0, 0);
+    for case in 0..6_000 {
+        // A needle leaves most of the scene to the parts.
+        let needle = || Head::new(0.3, 85.0, 50.0, 5.0, 60.0, 6.0).unwrap();
+        let head = if case % 2 == 0 { needle() } else { random_head(&mut random) };
+        let round = head.clone();
+        let with_parts = Scene::of(head, random_parts(&mut random));
+        let (tip, strand) = scene(&mut random);
+        hits += usize::from(is_exact(case, &with_parts, tip, strand));
+        let [all, alone] = [&with_parts.head, &round]
+            .map(|head| head.worst_depth(tip[0], tip[1], strand[0], strand[1]));
+        assert!(all.map_or(0.0, |hit| hit.depth) >= alone.map_or(0.0, |hit| hit.depth));
+        by_parts += usize::from(all != alone);
+    }
+    assert!(hits > 2_000 && by_parts > 400, "{hits} scenes touched, {by_parts} by parts");
+}
+
+#[test]
+fn a_duct_counts_where_it_is_and_not_all_around() {
+    let duct = Shape::Box { x_mm: [8.0, 20.0], y_mm: [-5.0, 5.0], bottom_mm: 3.0, turn_deg: 90.0 };
+    let Scene { head, .. } = Scene::of(kossel(), vec![duct]);
+    let peak =
+        |at: DVec2| head.worst_depth(DVec3::ZERO, DVec3::ZERO, at.extend(0.0), at.extend(4.5));
+    // Turned by a quarter, it is behind the nozzle.
+    assert!((peak(DVec2::new(0.0, 12.0)).unwrap().depth - 1.5).abs() < 1e-12);
+    assert!(peak(DVec2::new(0.0, -12.0)).is_none());
+    assert!(peak(DVec2::new(12.0, 0.0)).is_none());
+    // A strand that passes below it from side to side is struck where it is highest below it.
+    let across = |rise: f64| {
+        let ends = [DVec3::new(-9.0, 10.0, 3.0), DVec3::new(9.0, 10.0, 3.0 + rise)];
+        head.worst_depth(DVec3::ZERO, DVec3::ZERO, ends[0], ends[1])
+    };
+    assert!(across(0.0).is_none());
+    assert!((across(1.8).unwrap().depth - 1.8 * 14.0 / 18.0).abs() < 1e-12);
+}
+
+#[test]
+fn no_part_without_extent_is_taken() {
+    let of = |x_mm: [f64; 2], bottom_mm: f64| {
+        Part::try_from(Shape::Box { x_mm, y_mm: [0.0, 1.0], bottom_mm, turn_deg: 0.0 })
+    };
+    assert!(of([0.0, 1.0], 1.0).is_ok());
+    assert!(of([1.0, 1.0], 1.0).is_err());
+    assert!(of([2.0, 1.0], 1.0).is_err());
+    assert!(of([0.0, 1.0], 0.0).is_err());
+    assert!(of([0.0, f64::INFINITY], 1.0).is_err());
+    let probe = |radius_mm| {
+        Part::try_from(Shape::Cylinder { centre_mm: [0.0; 2], radius_mm, bottom_mm: 1.0 })
+    };
+    assert!(probe(1.0).is_ok() && probe(-1.0).is_err() && probe(f64::NAN).is_err());
+}
+
+#[test]
 fn a_tolerance_only_hides_what_is_not_deeper() {
     let mut random = Random(2);
-    let head = kossel();
-    for _ in 0..20_000 {
+    for case in 0..20_000 {
+        let parts = if case % 2 == 0 { Vec::new() } else { random_parts(&mut random) };
+        let Scene { head, .. } = Scene::of(kossel(), parts);
         let (tip, strand) = scene(&mut random);
         let all = head.worst_depth(tip[0], tip[1], strand[0], strand[1]);
         let some = head.deeper_than(0.35, tip, strand);
         assert_eq!(some, all.filter(|hit| hit.depth > 0.35));
-        assert!(some.is_none() || head.may_touch(0.35, tip, strand));
     }
 }
 

@@ -18,6 +18,7 @@ fn certificate(text: &[u8]) -> Certificate {
         block_radius: 20.0,
         carriage_height: 40.0,
         carriage_radius: 35.0,
+        parts: Vec::new(),
     };
     let rules = Rules {
         head,

@@ -8,6 +8,7 @@ mod errors;
 mod estimate;
 mod facets;
 mod gcode;
+mod head;
 mod layered;
 mod mesh;
 mod nearest;
@@ -36,6 +37,8 @@ mod _core {
     use super::facets::Facets;
     #[pymodule_export]
     use super::gcode::{format_moves, insert_progress};
+    #[pymodule_export]
+    use super::head::{stroke_run, tallest_slab};
     #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]

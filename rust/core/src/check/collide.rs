@@ -49,13 +49,16 @@ fn with_material(step: &Step, laid: u32, deposit: &Deposit, rules: &Rules) -> Op
     let floor = step.from.z.min(step.to.z) + tolerance;
     let mut worst: Option<(u32, Hit)> = None;
     let top = deposit.tops[..laid as usize].last().copied().unwrap_or(f64::NEG_INFINITY);
-    let rise = top - floor;
-    if rise > 0.0 {
-        let reach = rules.head.reach_at(rise);
-        deposit.grid.earlier(path, reach, laid, floor, |strand| {
+    for body in rules.head.bodies() {
+        let (floor, shift) = (floor + body.bottom(), body.middle().extend(0.0));
+        let rise = top - floor;
+        if rise <= 0.0 {
+            continue;
+        }
+        let reach = body.reach_at(rise);
+        deposit.grid.earlier(path.map(|p| p + shift), reach, laid, floor, |strand| {
             let depth = worst.map_or(tolerance, |(_, hit)| hit.depth);
-            if let Some(hit) = rules.head.deeper_than(depth, path, deposit.strands[strand as usize])
-            {
+            if let Some(hit) = body.deeper_than(depth, path, deposit.strands[strand as usize]) {
                 worst = Some((strand, hit));
             }
             ControlFlow::Continue(())

@@ -75,7 +75,7 @@ impl Bed {
 }
 
 /// What the file is judged by.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Rules {
     /// The head that moves.
     pub head: Head,

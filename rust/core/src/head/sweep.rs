@@ -1,8 +1,8 @@
 //! The exact test of a straight head move against a straight strand.
 //!
 //! With the tip at `p(s)` and material at `q(t)`, both linear, `d = q − p` sweeps a planar
-//! parallelogram over the unit square of `(s, t)`. The head is the union of three **tiers**, each a
-//! flat disc at some height with (for the tip) a flank around it, so material's depth in the head
+//! parallelogram over the unit square of `(s, t)`. The round body is the union of three **tiers**,
+//! each a flat disc at some height with (for the tip) a flank around it, so material's depth in it
 //! is the largest, over the tiers, of
 //!
 //! `d.z − height − slope·max(0, |d.xy| − flat)` where `|d.xy| ≤ reach`:
@@ -10,10 +10,10 @@
 //! a concave function over a convex set. Its maximum is therefore either the maximum over the
 //! whole plane of the parallelogram, which is a closed formula, or lies on one of the four edges,
 //! where it is the maximum of a line over a cone, another closed formula. Nothing is sampled.
+//!
+//! A cylinder beside the nozzle is a flat tier about an axis of its own; a box is in `clip`.
 
 use glam::{DVec2, DVec3};
-
-use super::Head;
 
 /// Below this sine of the angle between the two horizontal projections they count as parallel:
 /// the parallelogram is then a vertical sliver, whose highest points are its edges.
@@ -32,84 +32,11 @@ pub struct Hit {
 
 /// One storey of the head: flat out to `flat`, then a flank out to `reach`.
 #[derive(Debug, Clone, Copy)]
-struct Tier {
-    height: f64,
-    flat: f64,
-    slope: f64,
-    reach: f64,
-}
-
-impl Head {
-    /// The deepest that a straight move of the tip drives the head into a straight strand.
-    ///
-    /// This is `max q.z − p.z − underside(|q.xy − p.xy|)` over all points `p` of the move and `q`
-    /// of the strand (mm), exact to rounding; `None` where it is nowhere positive. Moves and
-    /// strands may be single points.
-    #[must_use]
-    pub fn worst_depth(
-        &self,
-        move_from: DVec3,
-        move_to: DVec3,
-        strand_from: DVec3,
-        strand_to: DVec3,
-    ) -> Option<Hit> {
-        self.deeper_than(0.0, [move_from, move_to], [strand_from, strand_to])
-    }
-
-    /// As [`Head::worst_depth`], but `None` already where the depth does not exceed `tolerance`
-    /// (mm, not negative): most pairs are then told apart by their heights alone.
-    #[must_use]
-    pub fn deeper_than(&self, tolerance: f64, tip: [DVec3; 2], strand: [DVec3; 2]) -> Option<Hit> {
-        if !self.may_touch(tolerance, tip, strand) {
-            return None;
-        }
-        let sweep = Sweep::new(tip, strand);
-        let mut worst = Hit { depth: tolerance, s: -1.0, t: -1.0 };
-        for tier in self.tiers() {
-            if sweep.top - tier.height > worst.depth {
-                sweep.deepen(&tier, &mut worst);
-            }
-        }
-        (worst.s >= 0.0).then_some(worst)
-    }
-
-    /// Whether bounding boxes leave it possible that a move's depth in a strand exceeds
-    /// `tolerance`; `false` is certain, `true` is not.
-    #[must_use]
-    pub fn may_touch(&self, tolerance: f64, tip: [DVec3; 2], strand: [DVec3; 2]) -> bool {
-        let rise = strand[0].z.max(strand[1].z) - tip[0].z.min(tip[1].z) - tolerance;
-        if rise <= 0.0 {
-            return false;
-        }
-        let gap_x = gap(tip[0].x, tip[1].x, strand[0].x, strand[1].x);
-        let gap_y = gap(tip[0].y, tip[1].y, strand[0].y, strand[1].y);
-        let reach = self.reach_at(rise);
-        gap_x * gap_x + gap_y * gap_y <= reach * reach
-    }
-
-    /// Largest horizontal distance at which material `height` mm above the tip can touch, mm.
-    #[must_use]
-    pub fn reach_at(&self, height: f64) -> f64 {
-        let flank = self.clearance(height).min(self.block_radius);
-        if height > self.carriage_height {
-            self.carriage_radius.max(self.block_radius)
-        } else if height > self.cone_height {
-            self.block_radius
-        } else {
-            flank
-        }
-    }
-
-    /// The head's three storeys, lowest first.
-    fn tiers(&self) -> [Tier; 3] {
-        let (slope, block, carriage) = (self.slope, self.block_radius, self.carriage_radius);
-        let flank_end = self.clearance(self.cone_height).min(block);
-        [
-            Tier { height: 0.0, flat: self.tip_radius.min(block), slope, reach: flank_end },
-            Tier { height: self.cone_height, flat: block, slope: 0.0, reach: block },
-            Tier { height: self.carriage_height, flat: carriage, slope: 0.0, reach: carriage },
-        ]
-    }
+pub(super) struct Tier {
+    pub height: f64,
+    pub flat: f64,
+    pub slope: f64,
+    pub reach: f64,
 }
 
 impl Tier {
@@ -136,16 +63,16 @@ impl Tier {
 }
 
 /// The parallelogram `d(s, t) = base − s·tip + t·strand`.
-struct Sweep {
-    base: DVec3,
-    tip: DVec3,
-    strand: DVec3,
+pub(super) struct Sweep {
+    pub base: DVec3,
+    pub tip: DVec3,
+    pub strand: DVec3,
     /// Greatest height in the parallelogram.
-    top: f64,
+    pub top: f64,
 }
 
 impl Sweep {
-    fn new(tip: [DVec3; 2], strand: [DVec3; 2]) -> Self {
+    pub fn new(tip: [DVec3; 2], strand: [DVec3; 2]) -> Self {
         Self {
             base: strand[0] - tip[0],
             tip: tip[1] - tip[0],
@@ -155,7 +82,7 @@ impl Sweep {
     }
 
     /// Raises `worst` to the tier's greatest depth, if that is deeper.
-    fn deepen(&self, tier: &Tier, worst: &mut Hit) {
+    pub fn deepen(&self, tier: &Tier, worst: &mut Hit) {
         if self.interior(tier, worst) {
             return;
         }
@@ -205,7 +132,17 @@ impl Sweep {
 }
 
 impl Hit {
-    fn raise(&mut self, depth: f64, s: f64, t: f64) {
+    /// Nothing found yet that is deeper than this, mm.
+    pub(super) fn none(depth: f64) -> Self {
+        Self { depth, s: -1.0, t: -1.0 }
+    }
+
+    /// What was found, if anything was.
+    pub(super) fn found(self) -> Option<Self> {
+        (self.s >= 0.0).then_some(self)
+    }
+
+    pub(super) fn raise(&mut self, depth: f64, s: f64, t: f64) {
         if depth > self.depth {
             *self = Self { depth, s, t };
         }
@@ -250,6 +187,13 @@ fn balance(tier: &Tier, h2: f64, m: f64) -> f64 {
     let excess = tier.slope * tier.slope - m * m;
     let x2 = if excess > 0.0 { rim2.max(h2 * m * m / excess) } else { f64::INFINITY };
     x2.sqrt().copysign(m)
+}
+
+/// Whether the boxes of two segments come as near as `reach` over xy.
+pub(super) fn are_near(a: [DVec3; 2], b: [DVec3; 2], reach: f64) -> bool {
+    let x = gap(a[0].x, a[1].x, b[0].x, b[1].x);
+    let y = gap(a[0].y, a[1].y, b[0].y, b[1].y);
+    x * x + y * y <= reach * reach
 }
 
 /// Distance between the intervals spanned by `a`–`b` and `c`–`d`; 0 where they overlap.

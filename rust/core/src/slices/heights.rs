@@ -18,6 +18,7 @@ use self::costs::Costs;
 use self::outline::Outline;
 use self::wanted::{Wanted, wanted_heights};
 use super::cut::cut_map;
+use super::headroom::{Headroom, extent_of};
 use super::plane::{Plane, Side};
 use super::profile::Profile;
 use super::tuning::{MOST_CANDIDATES, REACH, SAME, STEP};
@@ -125,12 +126,22 @@ fn cheapest_chain(
                 (STEP * params.free_end).max((top - bottom) / MOST_CANDIDATES),
             )
         },
-        || cut_map(mesh, &planes, |loops| Outline::new(&loops, params.strand, params.free_end)),
+        || {
+            cut_map(mesh, &planes, |loops| {
+                (Outline::new(&loops, params.strand, params.free_end), extent_of(&loops))
+            })
+        },
     );
+    let (outlines, extents): (Vec<_>, Vec<_>) = outlines.into_iter().unzip();
+    let headroom = Headroom::new(head, &extents, params.strand);
     let strokes = Strokes::new(head, params.strand);
     let costs = Costs { strokes, params, profile, outlines, heights, wanted };
     let count = heights.len();
-    let below = |j: usize| costs.slabs_below(j);
+    let below = |j: usize| {
+        let mut slabs = costs.slabs_below(j);
+        headroom.retain(&mut slabs, params.slab_min, |i| heights[j] - heights[i]);
+        slabs
+    };
     let slabs: Vec<Vec<(usize, f64)>> =
         (0..count).into_par_iter().with_min_len(FEW).map(below).collect();
     let mut best = vec![(f64::INFINITY, 0_usize); count];

@@ -2,6 +2,7 @@
 
 mod cut;
 pub mod features;
+mod headroom;
 pub mod heights;
 mod outlines;
 mod plane;

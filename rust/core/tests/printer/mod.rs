@@ -15,7 +15,7 @@ use wireprint_core::wireframe::plan::sliced::{Sliced, slice_model};
 use wireprint_core::wireframe::regions::layered::Layered;
 
 /// A printer with its wire.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Printer {
     pub head: Head,
     pub heights: HeightParams,
@@ -89,7 +89,7 @@ impl Printer {
 
     pub fn print_sliced(&self, sliced: Sliced, layered: &Layered) -> Print {
         let frame = build(sliced, layered, &self.head, &self.wire);
-        Print { printer: *self, frame }
+        Print { printer: self.clone(), frame }
     }
 }
 

@@ -23,7 +23,7 @@ fn crowd(random: &mut Random) -> Mesh {
 #[test]
 fn the_better_of_two_builds_is_kept() {
     let (none, printer) = (Layered::default(), Printer::paper());
-    let (head, p) = (printer.head, printer.wire);
+    let (head, p) = (printer.head.clone(), printer.wire);
     let nothing = Guide::default();
     let mut random = Random(21);
     let mut improved = 0;

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::cells::Cells;
-use crate::head::Head;
+use crate::head::{Body, Head};
 use crate::wireframe::regions::layered::Line;
 
 /// Moves of the head that are still to come, in a grid over the plane.
@@ -68,15 +68,21 @@ impl Ahead {
         if self.moves.is_empty() || rise <= 0.0 {
             return false;
         }
-        let reach = head.reach_at(rise) + self.half;
-        let (a, b) = (from.truncate(), to.truncate());
+        head.bodies().any(|body| {
+            rise > body.bottom() && self.bars(&body, body.reach_at(rise), [from, to], tolerance)
+        })
+    }
+
+    /// As [`Ahead::is_barred_by`], of a body that reaches so far.
+    fn bars(&self, body: &Body<'_>, reach: f64, strand: [DVec3; 2], tolerance: f64) -> bool {
+        let reach = reach + self.half;
+        let [a, b] = strand.map(|p| p.truncate() - body.middle());
         let (columns, mut rows) = self.grid.span(a.min(b) - reach, a.max(b) + reach);
         rows.any(|row| {
             let begin = self.begins[self.grid.number(*columns.start(), row)] as usize;
             let end = self.begins[self.grid.number(*columns.end(), row) + 1] as usize;
             self.sorted[begin..end].iter().any(|&number| {
-                let step = self.moves[number as usize];
-                head.deeper_than(tolerance, step, [from, to]).is_some()
+                body.deeper_than(tolerance, self.moves[number as usize], strand).is_some()
             })
         })
     }

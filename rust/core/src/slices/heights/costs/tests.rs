@@ -94,7 +94,7 @@ fn plain(case: &Case, printer: &Printer, i: usize, j: usize) -> f64 {
 fn a_slab_costs_its_time_its_deviation_and_its_fines() {
     let mut random = Random(2);
     for number in 0..120 {
-        let mut printer = Printer::all()[number % 3];
+        let mut printer = Printer::all()[number % 3].clone();
         printer.heights.pause = random.between(0.0, 2.0);
         let case = Case::new(&mut random);
         let costs = case.costs(&printer);
