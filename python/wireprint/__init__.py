@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from wireprint.stages import toolpath, wireframe
     from wireprint.timing import estimate
     from wireprint.wholeness import IncompleteError
+    from wireprint.window.opening import studio
 
 __all__ = [
     "KINDS",
@@ -75,6 +76,7 @@ __all__ = [
     "load_model",
     "make",
     "orient",
+    "studio",
     "to_gcode",
     "toolpath",
     "wireframe",
@@ -100,6 +102,7 @@ _HOMES = {
     "load_model": "wireprint.model",
     "make": "wireprint.pipeline",
     "orient": "wireprint.orientation",
+    "studio": "wireprint.window.opening",
     "to_gcode": "wireprint.pipeline",
     "toolpath": "wireprint.stages",
     "wireframe": "wireprint.stages",

@@ -39,7 +39,14 @@ class Clock:
     """Time that each stage takes to compute."""
 
     on_stage: Callable[[str], None] | None = None
+    #: Called with the steps of long stages, too; like `on_stage` it may raise to give up.
+    on_step: Callable[[str], None] | None = None
     timings_s: dict[str, float] = field(default_factory=dict)
+
+    def step(self, name: str) -> None:
+        """Announce a step of a stage."""
+        if self.on_step is not None:
+            self.on_step(name)
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
@@ -221,7 +228,7 @@ def make(
         with clock.stage("regions"):
             x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
             moved = region.transformed(motion(given, mesh, (x, y, z + place.turn_deg)))
-            regions = proved(kept or _sketch(mesh, planned, settings), moved)
+            regions = proved(kept or _sketch(mesh, planned, settings), moved, clock.step)
             strands = regions.wireframe
     if not strands.strand_count:
         left_out = report.unprinted(strands.unprinted, None, settings)

@@ -170,6 +170,28 @@ def test_a_project_from_the_window_is_sliced_to_the_same_print(talk, tmp_path):
     assert [one for one in out.read_bytes().splitlines() if not one.startswith(b";")] == commands
 
 
+def test_a_print_is_given_up_between_the_steps_of_its_regions(cube):
+    from wireprint.mesh import load_mesh
+    from wireprint.pipeline import Clock, make
+    from wireprint.regions import Region, ZRange
+    from wireprint.settings import Settings
+
+    class NotWantedError(Exception):
+        pass
+
+    steps = []
+
+    def give_up(name):
+        steps.append(name)
+        if name.startswith("proof"):
+            raise NotWantedError
+
+    region = Region().add(ZRange(low_mm=10, high_mm=16))
+    with pytest.raises(NotWantedError):
+        make(load_mesh(cube), Settings.load(), region, clock=Clock(on_step=give_up))
+    assert steps == ["marks", "layers, round 1", "wire beside layers, round 1", "proof, round 1"]
+
+
 def test_a_saved_model_is_printed_anew_and_marks_stay(talk, cube):
     talk.edit("mark", mark=BAND)
     cube.write_bytes(examples.stl("sphere"))

@@ -102,6 +102,7 @@ def _open(model: Path, port: int, browser: bool, options: dict[str, Any]) -> Non
 def _source(model: Path, chosen: Chosen, marks: Marks, placement: dict[str, Any]) -> Source:
     from wireprint.gcode.document import dated
     from wireprint.streams import is_stream
+    from wireprint.text import one_line
     from wireprint.window.source import Source
 
     def settings(printer: str | None, material: str | None, saved: Settings | None) -> Settings:
@@ -111,7 +112,8 @@ def _source(model: Path, chosen: Chosen, marks: Marks, placement: dict[str, Any]
         return others.settings() if saved is None else others.over(saved)
 
     return Source(
-        path=model,
+        name=one_line(model.name),
+        path=None if is_stream(model) else model,
         load=lambda: marks.load(model, placement),
         settings=settings,
         dated=lambda: dated(None if is_stream(model) else model),

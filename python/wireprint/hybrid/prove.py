@@ -95,7 +95,9 @@ class Proved:
         return float(np.sum(np.linalg.norm(own[:, 1] - own[:, 0], axis=1)))
 
 
-def proved(sketch: Sketch, region: Region) -> Proved:
+def proved(
+    sketch: Sketch, region: Region, on_step: Callable[[str], None] = lambda _: None
+) -> Proved:
     """Print a region as layers, without the runs that break the rules.
 
     Parameters
@@ -104,6 +106,8 @@ def proved(sketch: Sketch, region: Region) -> Proved:
         The model and its plain wire print.
     region
         What is marked, in the mesh's coordinates.
+    on_step
+        Called before each step with its name; it may raise to give up.
 
     Notes
     -----
@@ -112,13 +116,17 @@ def proved(sketch: Sketch, region: Region) -> Proved:
     many rounds, all are.
     """
     mesh, settings = sketch.mesh, sketch.settings
+    on_step("marks")
     plan = Plan.of(sketch, region)
     for rounds in range(1, _ROUNDS + 1):
+        on_step(f"layers, round {rounds}")
         layered = plan.layered()
         if layered is None:
             break
+        on_step(f"wire beside layers, round {rounds}")
         strands = wireframe(mesh, settings, layered)
         path = toolpath(strands, settings)
+        on_step(f"proof, round {rounds}")
         verdict = check(document.body(path, settings, document.dated(None)), settings)
         blamed, hollow = _blamed(plan, verdict, settings)
         if not (blamed or hollow):

@@ -118,6 +118,26 @@ class Export(_Message):
     force: bool = False
 
 
+class Save(_Message):
+    """Write a file beside the model."""
+
+    do: Literal["save"]
+    kind: Literal["gcode", "project", "strokes"]
+    force: bool = False
+    #: What was answered when a file was in the way, once the user let it be written over.
+    over: _Name | None = None
+
+
+class Picture(_Message):
+    """Draw the print, for a browser that cannot."""
+
+    do: Literal["picture"]
+    azimuth_deg: Annotated[float, Field(ge=-360, le=360)]
+    elevation_deg: Annotated[float, Field(ge=-90, le=90)]
+    width: Annotated[int, Field(ge=16, le=4096)]
+    height: Annotated[int, Field(ge=16, le=4096)]
+
+
 Message = Annotated[
     Open
     | AddMark
@@ -129,7 +149,9 @@ Message = Annotated[
     | Set
     | Profile
     | Schema
-    | Export,
+    | Export
+    | Save
+    | Picture,
     Field(discriminator="do"),
 ]
 _ADAPTER: Final[TypeAdapter[Message]] = TypeAdapter(Message)

@@ -67,7 +67,7 @@ class Printing:
             settings,
             region or None,
             date=date,
-            clock=Clock(on_stage),
+            clock=Clock(on_stage, on_stage),
             compare=False,
             partial=True,
             kept=kept,

@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import sys
 import threading
+import time
 import traceback
 from collections import OrderedDict
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from wireprint import catalogue
-from wireprint._core import SettingError, UnprintableError, WireprintError, __version__
-from wireprint.regions import Region, document
+from wireprint._core import SettingError, WireprintError
+from wireprint.regions import document
 from wireprint.regions.document import MarkEntry
-from wireprint.text import one_line
-from wireprint.window import messages
+from wireprint.window import messages, outputs, telling
 from wireprint.window.answer import encoded
 from wireprint.window.history import History
+from wireprint.window.outputs import Printed
 from wireprint.window.watch import Watch
 
 if TYPE_CHECKING:
@@ -27,36 +27,23 @@ if TYPE_CHECKING:
 
     from wireprint._core import Mesh
     from wireprint.hybrid.sketch import Sketch
-    from wireprint.regions import Mark
+    from wireprint.regions import Mark, Region
     from wireprint.settings import Settings
-    from wireprint.window.history import Item, State
+    from wireprint.window.history import State
     from wireprint.window.source import Source
 
 #: Prints that are kept for undo and redo, bytes in all.
 _KEPT_BYTES: Final = 1 << 24
 #: Longest that an export waits for its print, s.
 _PATIENCE_S: Final = 600.0
+#: A print that takes longer tells what it is at, s.
+_SILENT_S: Final = 0.3
 #: Events that a page that comes later is told, too, in this order.
 _LASTING: Final = ("model", "state", "print", "current", "paint", "rest", "failed", "notice")
 
 
 class _Superseded(Exception):  # noqa: N818 - nothing is wrong
     """What is computed is no longer wanted."""
-
-
-@dataclass(frozen=True)
-class _Printed:
-    """A print, as it is told and exported."""
-
-    state: State
-    gcode: bytes
-    #: Why it should not be printed as it is; empty: it may.
-    refused: str
-    told: dict[str, bytes]
-
-    @property
-    def size(self) -> int:
-        return len(self.gcode) + sum(map(len, self.told.values()))
 
 
 class Session:
@@ -83,20 +70,22 @@ class Session:
         self._lasting: dict[str, bytes] = {}
         #: Mesh and settings of the last print, and what it kept for the next one.
         self._sketch: tuple[Mesh, Settings, Sketch] | None = None
-        self._kept: OrderedDict[int, _Printed] = OrderedDict()
+        self._kept: OrderedDict[int, Printed] = OrderedDict()
         #: Guards all of the above; told whenever one of them changes.
         self._changed = threading.Condition(threading.RLock())
         self._thread = threading.Thread(target=self._work, name="print", daemon=True)
-        self._watch = Watch(source.path, self._saved)
+        self._watch = None if source.path is None else Watch(source.path, self._saved)
 
     def start(self) -> None:
         """Begin to read, print and watch the model."""
         self._thread.start()
-        self._watch.start()
+        if self._watch is not None:
+            self._watch.start()
 
     def stop(self) -> None:
         """End the threads; a print that is under way is given up at its next stage."""
-        self._watch.stop()
+        if self._watch is not None:
+            self._watch.stop()
         with self._changed:
             self._stopped = True
             self._revision += 1
@@ -106,16 +95,9 @@ class Session:
 
     def welcome(self) -> list[bytes]:
         """Return what a page is told first: what it may ask for, and all that is known."""
-        head = {
-            "event": "welcome",
-            "name": one_line(self._source.path.name),
-            "version": __version__,
-            "printers": catalogue.names("printers"),
-            "materials": catalogue.names("materials"),
-        }
         with self._changed:
             known = [self._lasting[name] for name in _LASTING if name in self._lasting]
-        return [encoded(head), *known]
+        return [telling.welcome(self._source), *known]
 
     def handle(self, content: bytes) -> bytes:
         """Do what a message asks, and return its answer; a fault is an answer, too."""
@@ -141,9 +123,15 @@ class Session:
 
                 return encoded({**head, "fields": panel.fields(), "sections": panel.SECTIONS})
             case messages.Export():
-                name, content = self._exported(message)
-                file = np.frombuffer(content, np.uint8)
+                file = np.frombuffer(self._content(message), np.uint8)
+                name = outputs.name_of(message.kind, self._source.name)
                 return encoded({**head, "name": name}, {"file": file})
+            case messages.Save():
+                return encoded({**head, **self._saved_beside(message)})
+            case messages.Picture(azimuth_deg=azimuth, elevation_deg=elevation):
+                size = message.width, message.height
+                png = outputs.picture(self._printed(), (azimuth, elevation), size)
+                return encoded(head, {"file": np.frombuffer(png, np.uint8)})
             case _:
                 return encoded({**head, **self._edited(message)})
 
@@ -192,33 +180,57 @@ class Session:
             raise SettingError("the model is not read yet")
         return self._history
 
-    def _exported(self, message: messages.Export) -> tuple[str, bytes]:
-        """Return a file's name and content.
+    def _content(self, message: messages.Export | messages.Save) -> bytes:
+        """Return the bytes of a file.
 
         Raises
         ------
         UnprintableError
             G-code that breaks the rules or leaves much bare is only given by force.
         """
-        stem = one_line(self._source.path.stem)
         with self._changed:
             history, mesh = self._ready(), self._mesh
             state, settings = history.state, history.settings
-            if message.kind == "strokes":
-                return f"{stem}.strokes.json", document.to_json(state.region)
-            if message.kind == "project":
-                from wireprint.project import project_bytes
+        if message.kind == "strokes":
+            return outputs.strokes(state)
+        if message.kind == "project":
+            assert mesh is not None, "a history has a mesh"  # noqa: S101
+            return outputs.project(mesh, settings, state)
+        return outputs.gcode(self._printed(), message.force)
 
-                assert mesh is not None, "a history has a mesh"  # noqa: S101
-                return f"{stem}.3mf", project_bytes(mesh, settings, state.region)
-            wanted = self._revision
+    def _printed(self) -> Printed | None:
+        """Return the print of what is marked now, once it is there; None: there is none."""
+        with self._changed:
+            state, wanted = self._ready().state, self._revision
             self._changed.wait_for(lambda: self._done >= wanted or self._stopped, _PATIENCE_S)
-            printed = self._kept.get(id(state))
-        if printed is None:
-            raise UnprintableError("there is no print to export")
-        if printed.refused and not message.force:
-            raise UnprintableError(printed.refused)
-        return f"{stem}.gcode", printed.gcode
+            return self._kept.get(id(state))
+
+    def _saved_beside(self, message: messages.Save) -> dict[str, Any]:
+        """Write a file beside the model, or tell that another one is in the way."""
+        path = self._source.path
+        if path is None:
+            raise SettingError("this model has no file, and so no place beside it")
+        name = outputs.name_of(message.kind, self._source.name)
+        return {
+            "name": name,
+            "exists": outputs.save(path, name, self._content(message), message.over),
+        }
+
+    def now(self) -> tuple[Region, Settings]:
+        """Return what is marked, and the settings.
+
+        Raises
+        ------
+        SettingError
+            The model is not read yet.
+        """
+        with self._changed:
+            history = self._ready()
+            return history.state.region, history.settings
+
+    def gcode(self, force: bool = False) -> bytes:
+        """Return the G-code of what is marked now, once it is there; see `outputs.gcode`."""
+        return outputs.gcode(self._printed(), force)
 
     def _tell(self, event: str, content: bytes) -> None:
         with self._changed:
@@ -228,34 +240,15 @@ class Session:
 
     def _notice(self, words: str) -> None:
         """Say something about the model's file; nothing takes back what was said before."""
-        self._tell("notice", encoded({"event": "notice", "words": words}))
+        self._tell("notice", telling.words("notice", words))
 
     def _tell_state(self, history: History) -> None:
-        from wireprint.window import panel
-
-        state, settings = history.state, history.settings
-        bed, head = settings.printer.bed, settings.printer.head
-        told = {
-            "event": "state",
-            "revision": self._revision,
-            "items": [_told(item) for item in state.items],
-            "can_undo": history.can_undo,
-            "can_redo": history.can_redo,
-            "printer": settings.printer.name,
-            "material": settings.material.name,
-            "settings": panel.values(settings),
-            "automatic": panel.automatic(settings),
-            "differs": panel.differing(settings, history.profiles_settings()),
-            "bed": {"round": bed.shape == "round", "size_mm": bed.size_mm, "high": bed.height_mm},
-            "head": head.model_dump(mode="json"),
-        }
-        self._tell("state", encoded(told))
+        self._tell("state", telling.state(self._revision, history))
 
     def _saved(self, there: bool) -> None:
         """Read the model again, or say that it went."""
         if not there:
-            name = one_line(self._source.path.name)
-            self._notice(f"{name} is gone; what is shown is what it was")
+            self._notice(f"{self._source.name} is gone; what is shown is what it was")
             return
         with self._changed:
             self._stale = True
@@ -286,8 +279,6 @@ class Session:
             self._finish(revision)
 
     def _read(self) -> None:
-        from wireprint import report
-
         # A file that is damaged, or gone, must not date the print of what it was.
         date = self._source.dated()
         try:
@@ -296,21 +287,14 @@ class Session:
             self._notice(f"{error}" if self._mesh is None else f"{error}; the old one is shown")
             return
         mesh = model.mesh
-        head = {
-            "event": "model",
-            "name": one_line(self._source.path.name),
-            "size_mm": mesh.size_mm,
-            "repaired": report.repairs(mesh),
-            "warnings": report.warnings(mesh),
-        }
-        arrays = {"vertices": mesh.vertices.astype("<f4"), "faces": mesh.faces.astype("<u4")}
+        told = telling.model(self._source.name, mesh)
         with self._changed:
             self._mesh, self._date = mesh, date
             self._kept.clear()
             if self._history is None:
                 self._history = History(partial(self._source.compose, model.settings), model.region)
             self._notice("")
-            self._tell("model", encoded(head, arrays))
+            self._tell("model", told)
             self._tell_state(self._history)
 
     def _print(self, revision: int) -> None:
@@ -335,17 +319,28 @@ class Session:
             settings,
             state.region,
             self._date,
-            lambda _: self._current(revision),
+            self._stages(revision),
             self._sketch_of(mesh, settings),
         )
         self._sketch = mesh, settings, printing.sketch
-        printed = _Printed(state, printing.gcode, printing.refused, {})
+        printed = Printed(state, printing.gcode, printing.refused, {})
         for event, content in printing.events():
             printed.told[event] = content
             self._tell_print(revision, event, content)
         self._keep(printed)
         self._finish(revision)
         printing.prepare()
+
+    def _stages(self, revision: int) -> Callable[[str], None]:
+        """Return what is called before each stage: it gives up, or says what takes so long."""
+        begin = time.monotonic()
+
+        def stage(name: str) -> None:
+            self._current(revision)
+            if time.monotonic() - begin > _SILENT_S:
+                self._tell("progress", telling.words("progress", name))
+
+        return stage
 
     def _sketch_of(self, mesh: Mesh, settings: Settings) -> Sketch | None:
         """Return what was kept of a print of the same mesh with the same settings."""
@@ -371,7 +366,7 @@ class Session:
         if self._revision != revision:
             raise _Superseded
 
-    def _keep(self, printed: _Printed) -> None:
+    def _keep(self, printed: Printed) -> None:
         """Keep a print for undo and redo; the oldest ones make room."""
         with self._changed:
             # States live as long as they can be undone to, and so do their addresses.
@@ -380,7 +375,7 @@ class Session:
                 self._kept.popitem(last=False)
 
     def _failed(self, revision: int, words: str) -> None:
-        self._tell("failed", encoded({"event": "failed", "revision": revision, "words": words}))
+        self._tell("failed", telling.words("failed", words, revision=revision))
 
 
 def _known(kind: catalogue.Kind, name: str | None) -> None:
@@ -391,21 +386,3 @@ def _known(kind: catalogue.Kind, name: str | None) -> None:
 
 def _mark(entry: MarkEntry) -> Mark:
     return document.Document(marks=(entry,)).region().marks[0]
-
-
-def _told(item: Item) -> dict[str, Any]:
-    """Return a line of the list of marks; paint goes without its points."""
-    entry = document.Document.of(Region((item.mark,))).marks[0].model_dump(mode="json")
-    shape = entry["shape"]
-    if shape["kind"] == "stroke":
-        shape = {"kind": "stroke", "radius_mm": shape["radius_mm"]}
-    elif shape["kind"] == "mask":
-        shape = {"kind": "mask"}
-    return {
-        "number": item.number,
-        "name": item.name,
-        "on": item.on,
-        "erase": item.mark.erase,
-        "shape": shape,
-        "frame": entry["frame"],
-    }

@@ -19,9 +19,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Source:
-    """A model's file, and how it is read."""
+    """A model, and how it is read."""
 
-    path: Path
+    #: What it is called: its file's name.
+    name: str
+    #: Its file, which is watched, and beside which others can be written; None: it has none.
+    path: Path | None
     #: Reads the file, places the model, and adds what is marked on it.
     load: Callable[[], Model]
     #: Settings for a printer and a material by name (None: as the window was opened) and those
@@ -29,6 +32,16 @@ class Source:
     settings: Callable[[str | None, str | None, Settings | None], Settings]
     #: What G-code is dated.
     dated: Callable[[], datetime]
+
+    @classmethod
+    def of(cls, model: Model, settings: Settings, name: str) -> Source:
+        """Return a model that is in memory, with the settings to begin with."""
+        from wireprint.gcode.document import dated
+
+        def composed(printer: str | None, material: str | None, _: Settings | None) -> Settings:
+            return settings.but(printer, material) if printer or material else settings
+
+        return cls(name, None, lambda: model, composed, lambda: dated(None))
 
     def compose(
         self,
