@@ -1,9 +1,11 @@
-"""A cube of 20 mm from the origin on in every dialect of OBJ, PLY, OFF and STL that is read.
+"""A cube of 20 mm from the origin on in every dialect of OBJ, PLY, OFF, STL and AMF that is read.
 
 Each dialect is a name, a suffix and bytes; `docs/formats.md` tells of each by its name.
 """
 
+import io
 import struct
+import zipfile
 
 SIDE = 20
 POINTS = [(SIDE * (i & 1), SIDE * (i >> 1 & 1), SIDE * (i >> 2)) for i in range(8)]
@@ -201,8 +203,55 @@ STL = {
     "stl-ascii-one-line-a-facet": stl(" facet normal 0 0 0 outer loop\n", " endloop endfacet\n"),
 }
 
+# --- AMF
+
+
+def amf(root="amf unit='millimeter'", factor=1, inside="", after=""):
+    vertices = "".join(
+        "<vertex><coordinates><x>{}</x><y>{}</y><z>{}</z></coordinates></vertex>".format(
+            *(factor * c for c in point)
+        )
+        for point in POINTS
+    )
+    triangles = "".join(
+        "<triangle><v1>{}</v1><v2>{}</v2><v3>{}</v3></triangle>".format(*t) for t in TRIANGLES
+    )
+    return (
+        f"<?xml version='1.0' encoding='utf-8'?>\n<{root}>\n<object id='1'><mesh>"
+        f"<vertices>{vertices}</vertices><volume>{triangles}</volume>{inside}</mesh></object>"
+        f"{after}</amf>\n"
+    )
+
+
+def zipped(name, content):
+    held = io.BytesIO()
+    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(name, content)
+    return held.getvalue()
+
+
+SUPPORT = "<volume type='support'><triangle><v1>0</v1><v2>1</v2><v3>7</v3></triangle></volume>"
+SETTINGS = (
+    "<volume><metadata type='slic3r.modifier'>1</metadata>"
+    "<triangle><v1>0</v1><v2>1</v2><v3>7</v3></triangle></volume>"
+)
+PLACED = (
+    "<constellation id='2'><instance objectid='1'><deltax>20</deltax><deltay>0</deltay>"
+    "<rx>0</rx><ry>0</ry><rz>90</rz></instance></constellation>"
+)
+AMF = {
+    "amf-plain": amf(),
+    "amf-zip": zipped("model.amf", amf()),
+    "amf-no-unit": amf("amf version='1.1'"),
+    "amf-microns": amf("amf unit='micron'", 1000),
+    "amf-constellation": amf(after=PLACED),
+    "amf-colours": amf(inside="<color><r>1</r><g>0</g><b>0</b></color>"),
+    "amf-volume-for-supports": amf(inside=SUPPORT),
+    "amf-volume-for-settings": amf(inside=SETTINGS),
+}
+
 DIALECTS = {
     name: (name.partition("-")[0], content if isinstance(content, bytes) else content.encode())
-    for group in (OBJ, PLY, OFF, STL)
+    for group in (OBJ, PLY, OFF, STL, AMF)
     for name, content in group.items()
 }

@@ -35,6 +35,8 @@ NOTED = {
     "stl-ascii-no-endsolid": "ends without endsolid",
     "stl-ascii-two-solids": "ends without endsolid",
     "stl-ascii-control-z": "a ^Z ends the text",
+    "amf-volume-for-supports": "1 volume left out: for supports, or for settings",
+    "amf-volume-for-settings": "1 volume left out: for supports, or for settings",
 }
 
 
@@ -57,7 +59,7 @@ def test_a_dialect_gives_the_cube(name, tmp_path):
 
 def test_the_page_of_formats_names_every_dialect_and_no_other():
     page = (Path(__file__).parents[1] / "docs" / "formats.md").read_text()
-    assert set(re.findall(r"`((?:obj|ply|off|stl)-[a-z0-9-]+)`", page)) == set(DIALECTS)
+    assert set(re.findall(r"`((?:obj|ply|off|stl|amf)-[a-z0-9-]+)`", page)) == set(DIALECTS)
 
 
 # --- faces of many corners

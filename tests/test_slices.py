@@ -148,12 +148,11 @@ def test_wrong_arguments_are_named():
 
 
 def models(shared):
-    """Each row of the manifest, and its model, where the format is read."""
+    """Each row of the manifest, and its model."""
     with (shared / "models" / "manifest.csv").open() as file:
         for row in csv.DictReader(file):
-            if not row["name"].endswith(".amf"):
-                path = shared / "models" / row["name"]
-                yield row, load_mesh(path, scale=float(row["scale"]), up=row["up_axis"])
+            path = shared / "models" / row["name"]
+            yield row, load_mesh(path, scale=float(row["scale"]), up=row["up_axis"])
 
 
 def test_real_models_have_trimeshs_areas_wherever_its_rings_are_simple(shared):

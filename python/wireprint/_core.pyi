@@ -48,6 +48,7 @@ __all__ = [
     "growth",
     "insert_progress",
     "nearest",
+    "read_amf",
     "read_model_part",
     "read_slicer_config",
     "slice_mesh",
@@ -167,6 +168,13 @@ _Leaves: TypeAlias = tuple[
 def read_model_part(
     chunks: Iterable[bytes],
 ) -> tuple[float, list[tuple[str, _Object]], list[_Place]]: ...
+def read_amf(
+    chunks: Iterable[bytes],
+) -> tuple[
+    float,
+    list[tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32], bool, int]],
+    list[str],
+]: ...
 def read_slicer_config(
     chunks: Iterable[bytes],
 ) -> tuple[

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 UNITS_MM: Final = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 
 #: Suffixes of the files that `load_mesh` reads.
-SUFFIXES: Final = (*FORMATS, "3mf")
+SUFFIXES: Final = (*FORMATS, "3mf", "amf")
 
 #: Suffixes of files that slicers write for printers: no models.
 _SLICED: Final = ("gcode", "gco", "g", "nc", "ngc", "bgcode", "ufp")
@@ -48,7 +48,7 @@ def load_mesh(
     Parameters
     ----------
     path
-        STL, OBJ, PLY, OFF or 3MF file. Objects, instances and components are joined, each with
+        STL, OBJ, PLY, OFF, 3MF or AMF file. Objects, instances and components are joined, each with
         its transform; overlapping bodies stay as they are until slices are united. Of slicers'
         projects negative parts are cut out; modifiers, what is for supports, and what is not to be
         printed is left out; the mesh's `notes` say so.
@@ -59,8 +59,8 @@ def load_mesh(
     scale
         Factor on the model's size.
     units
-        Unit of the file: ``mm``, ``cm``, ``m`` or ``inch``. A 3MF file states its unit, which is
-        respected, so `units` must stay ``mm`` there.
+        Unit of the file: ``mm``, ``cm``, ``m`` or ``inch``. A 3MF or AMF file states its unit,
+        which is respected, so `units` must stay ``mm`` there.
     up
         Axis of the file that points up: ``x``, ``y`` or ``z``.
     rotate
@@ -104,6 +104,14 @@ def load_mesh(
         from wireprint.file3mf import File3mf
 
         return placed(File3mf(Path(path), plate), units=units, **placement)
+    if suffix == "amf":
+        from pathlib import Path
+
+        from wireprint.fileamf import amf_mesh
+
+        _states_its_unit(path, "an AMF", units)
+        _no_plates(path, plate)
+        return amf_mesh(Path(path), **placement)
     if suffix in _SLICED:
         msg = f"{path}: it holds G-code, sliced already, and no model; take what it was made from"
         raise ModelError(msg)
@@ -117,9 +125,32 @@ def load_mesh(
             "format (--format) if the file is in one of them"
         )
         raise ModelError(msg)
+    _no_plates(path, plate)
+    return Mesh.load(path, suffix, **placement | {"scale": scale * UNITS_MM[units]})
+
+
+def _no_plates(path: str | os.PathLike[str], plate: int | None) -> None:
+    """Refuse the number of a plate where there are none.
+
+    Raises
+    ------
+    ModelError
+        It is not the first one's.
+    """
     if plate not in (None, 1):
         raise ModelError(f"{path}: there is no plate {plate}; only 3MF files have plates")
-    return Mesh.load(path, suffix, **placement | {"scale": scale * UNITS_MM[units]})
+
+
+def _states_its_unit(path: str | os.PathLike[str], kind: str, units: str) -> None:
+    """Refuse another unit than a file's own.
+
+    Raises
+    ------
+    SettingError
+        A unit is given.
+    """
+    if units != "mm":
+        raise SettingError(f"{path}: {kind} file states its own unit; use scale instead of units")
 
 
 def format_of(path: str | os.PathLike[str], file_format: str | None = None) -> str:
@@ -148,8 +179,5 @@ def placed(file: File3mf, **placement: Any) -> Mesh:
     """
     options = AS_IT_IS | placement
     as_it_is = options == AS_IT_IS
-    if options.pop("units") != AS_IT_IS["units"]:
-        raise SettingError(
-            f"{file.path}: a 3MF file states its own unit; use scale instead of units"
-        )
+    _states_its_unit(file.path, "a 3MF", options.pop("units"))
     return file.mesh(as_it_is=as_it_is, **options)

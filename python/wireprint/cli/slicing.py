@@ -67,10 +67,10 @@ def slice_models(
 ) -> None:
     """Turn models into wire prints.
 
-    MODEL is an STL, OBJ, PLY, OFF or 3MF file, or a project; - is stdin, with --format. Options
-    that name a single setting win over --set, --set wins over --load, and --load over the profiles,
-    or over the settings of a project. What is marked by --fill, or painted in a 3MF file, is
-    printed as layers.
+    MODEL is an STL, OBJ, PLY, OFF, 3MF or AMF file, or a project; - is stdin, with --format.
+    Options that name a single setting win over --set, --set wins over --load, and --load over the
+    profiles, or over the settings of a project. What is marked by --fill, or painted in a 3MF
+    file, is printed as layers.
 
     The file is judged before it is written, as by `wireprint check`: one that would drive the head
     into its own strands, leave them hanging, or leave more than a twentieth of the surface bare

@@ -48,12 +48,14 @@ _ESCAPES: Final = re.compile(r"^[A-Za-z]:|(^|/)\.\.(/|$)|[\x00-\x1f]")
 
 
 class Archive:
-    """The parts of a 3MF file, by name; a context manager.
+    """The parts of a 3MF file, or of another in a zip archive, by name; a context manager.
 
     Parameters
     ----------
     path
         The file.
+    kind
+        What it should be, for errors.
 
     Raises
     ------
@@ -61,11 +63,12 @@ class Archive:
         No archive, damaged, or one that would unpack to too much or to elsewhere.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, kind: str = "3MF") -> None:
+        self._kind = kind
         try:
             self._file = _Guarded(path)
         except OSError as error:
-            raise ModelError(f"cannot be read as 3MF: {error.strerror}") from error
+            raise ModelError(f"cannot be read as {kind}: {error.strerror}") from error
         try:
             self._zip = self._guard(lambda: zipfile.ZipFile(self._file))
             self._parts = {name_of(info.filename): info for info in self._checked()}
@@ -124,7 +127,7 @@ class Archive:
                 raise ModelError(f"has two parts {name!r}")
             seen.add(name_of(name))
             if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-                raise ModelError(f"part {name!r} is packed in a way that 3MF forbids")
+                raise ModelError(f"part {name!r} is packed in a way that {self._kind} forbids")
             unpacked += info.file_size
             bomb = info.file_size > max(SMALL, MOST_RATIO * info.compress_size)
             if bomb or unpacked > MOST_UNPACKED:
@@ -140,7 +143,7 @@ class Archive:
         try:
             return call()
         except _FAULTS as error:
-            raise ModelError(f"cannot be read as 3MF: {error}") from error
+            raise ModelError(f"cannot be read as {self._kind}: {error}") from error
 
 
 def name_of(name: str) -> str:

@@ -5,6 +5,7 @@
 //!
 //! Units: millimetres, seconds, mm/s, radians inside the core (degrees at the border).
 
+pub mod amf;
 pub mod bgcode;
 pub mod carve;
 pub mod check;

@@ -1,5 +1,6 @@
 //! The Python binding: converts, releases the GIL, calls the core. No algorithm lives here.
 
+mod amf;
 mod arrays;
 mod bgcode;
 mod carve;
@@ -25,6 +26,8 @@ mod wireframe;
 mod _core {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use super::amf::read_amf;
     #[pymodule_export]
     use super::bgcode::bgcode_text;
     #[pymodule_export]

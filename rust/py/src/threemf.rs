@@ -92,7 +92,8 @@ pub fn find_relationship<'py>(
     reader.finish().map_err(to_py)
 }
 
-fn feed<'py>(
+/// Gives a reader the pieces of a document.
+pub fn feed<'py>(
     py: Python<'py>,
     chunks: &Bound<'py, PyAny>,
     mut take: impl FnMut(&[u8]) -> CoreResult<()> + Send,
