@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import TypeAlias
 
     import numpy.typing as npt
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 _Kind = TypeVar("_Kind", bound=np.generic)
 
 
-def joined(arrays: list[npt.NDArray[_Kind]]) -> npt.NDArray[_Kind]:
+def joined(arrays: Sequence[npt.NDArray[_Kind]]) -> npt.NDArray[_Kind]:
     """Join arrays along their rows; one alone is not copied, for it may be large."""
     return arrays[0] if len(arrays) == 1 else np.concatenate(arrays)
 
