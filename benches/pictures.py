@@ -1,4 +1,5 @@
-"""Draw the pictures of docs/ anew: what each stage makes of an example, by our own renderer.
+"""Draw the pictures of docs/ anew: what each stage makes of an example, by our own renderer; the
+head with its measures, and its gauge.
 
 Usage: python benches/pictures.py [FOLDER]
 """
@@ -8,6 +9,8 @@ import tempfile
 from pathlib import Path
 
 from wireprint import examples, load_mesh, view, view_stages
+from wireprint.heads import drawing
+from wireprint.heads.gauge_print import printed
 from wireprint.settings import Settings
 
 FOLDER = Path(__file__).parents[1] / "docs" / "pictures"
@@ -28,7 +31,11 @@ def main() -> None:
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     settings = Settings.load()
+    (folder / "head.svg").write_text(drawing.svg(settings.printer.head), encoding="utf-8")
     with tempfile.TemporaryDirectory() as work:
+        gauge = Path(work) / "gauge.gcode"
+        gauge.write_bytes(printed(settings).gcode)
+        view.render_png(gauge, folder / "gauge.png", size=SIZE, title="gauge")
         for name, (stage, example, slabs, camera) in PICTURES.items():
             kind, _, lying = example.partition(" ")
             model = Path(work) / f"{kind}.stl"

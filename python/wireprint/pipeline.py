@@ -290,6 +290,7 @@ def to_gcode(
     settings: Settings,
     *,
     date: datetime | None = None,
+    remarks: Iterable[str] = (),
 ) -> bytes:
     """Return a whole G-code file: header, start, moves with progress, end, footer.
 
@@ -301,13 +302,15 @@ def to_gcode(
         The settings that they were made with.
     date
         Written into the file; default: as `document.dated` without a file.
+    remarks
+        Lines of the header of their own.
 
     Raises
     ------
     UnprintableError
         A figure of a move is not finite.
     """
-    return _written(toolpath, settings, date)[0]
+    return _written(toolpath, settings, date, remarks)[0]
 
 
 def write_gcode(

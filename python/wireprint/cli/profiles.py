@@ -20,6 +20,16 @@ _COMMANDS: Final[dict[str, tuple[str, str, str]]] = {
         "import_profile",
         "Write a profile of your own printer from files of other programs.",
     ),
+    "head": (
+        "wireprint.cli.profiles_head",
+        "measure",
+        "Measure the head of your printer, and write it into a profile.",
+    ),
+    "gauge": (
+        "wireprint.cli.profiles_gauge",
+        "gauge",
+        "Write a small print that the head touches where its profile is wrong.",
+    ),
 }
 
 
