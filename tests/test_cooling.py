@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from wireprint import cooling, examples, load_mesh, make
+from wireprint._core import nusselt_across, nusselt_still
 from wireprint.settings import Settings
 
 ABS = Settings.load().material
@@ -15,10 +16,10 @@ ABS = Settings.load().material
     ("nusselt", "value"),
     [
         # Worked out with 40 digits from the papers' formulas (Python's decimal).
-        (cooling.nusselt_across(4, 0.71), 1.2720759),
-        (cooling.nusselt_across(100, 0.7), 5.1561317),
-        (cooling.nusselt_still(0.01, 0.7), 0.5609396),
-        (cooling.nusselt_still(1, 0.71), 0.8487518),
+        (nusselt_across(4, 0.71), 1.2720759),
+        (nusselt_across(100, 0.7), 5.1561317),
+        (nusselt_still(0.01, 0.7), 0.5609396),
+        (nusselt_still(1, 0.71), 0.8487518),
     ],
 )
 def test_the_correlations_are_those_of_the_papers(nusselt, value):
@@ -27,7 +28,7 @@ def test_the_correlations_are_those_of_the_papers(nusselt, value):
 
 def test_a_textbooks_cylinder_in_a_wind_tunnel_comes_out():
     """Incropera & DeWitt, Fundamentals of Heat and Mass Transfer, example 7.4."""
-    assert cooling.nusselt_across(6071, 0.70) == pytest.approx(40.6, abs=0.05)
+    assert nusselt_across(6071, 0.70) == pytest.approx(40.6, abs=0.05)
 
 
 def bessel(order, x):

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     )
     from wireprint.certificate import Certificate, check
     from wireprint.comparison import Comparison, Condition, compare
+    from wireprint.forecast import Forecast, simulate
     from wireprint.mesh import load_mesh
     from wireprint.model import Model, load_model
     from wireprint.orientation import Orientation, orient
@@ -53,6 +54,7 @@ __all__ = [
     "Comparison",
     "Condition",
     "FaultError",
+    "Forecast",
     "GcodeError",
     "IncompleteError",
     "MemoryLimitError",
@@ -76,6 +78,7 @@ __all__ = [
     "load_model",
     "make",
     "orient",
+    "simulate",
     "studio",
     "to_gcode",
     "toolpath",
@@ -89,6 +92,7 @@ _HOMES = {
     "Certificate": "wireprint.certificate",
     "Comparison": "wireprint.comparison",
     "Condition": "wireprint.comparison",
+    "Forecast": "wireprint.forecast",
     "Orientation": "wireprint.orientation",
     "IncompleteError": "wireprint.wholeness",
     "Model": "wireprint.model",
@@ -101,6 +105,7 @@ _HOMES = {
     "load_mesh": "wireprint.mesh",
     "load_model": "wireprint.model",
     "make": "wireprint.pipeline",
+    "simulate": "wireprint.forecast",
     "orient": "wireprint.orientation",
     "studio": "wireprint.window.opening",
     "to_gcode": "wireprint.pipeline",

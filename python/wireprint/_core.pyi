@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, ClassVar, TypeAlias, TypedDict, final
+from typing import Any, ClassVar, Literal, TypeAlias, TypedDict, final
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,7 @@ __all__ = [
     "Estimate",
     "Facets",
     "FaultError",
+    "Forecast",
     "GcodeError",
     "MemoryLimitError",
     "Mesh",
@@ -39,18 +40,25 @@ __all__ = [
     "bgcode_text",
     "carve",
     "certify",
+    "cooling_time",
     "coverage",
     "deviation",
     "estimate",
     "estimate_files",
     "find_relationship",
+    "forecast",
     "format_moves",
     "growth",
+    "heat_transfer",
+    "holding_pause",
     "insert_progress",
     "nearest",
+    "nusselt_across",
+    "nusselt_still",
     "read_amf",
     "read_model_part",
     "read_slicer_config",
+    "sags",
     "slice_mesh",
     "toolpath",
     "wireframe",
@@ -576,6 +584,55 @@ class Certificate:
         deviation: bool,
     ) -> tuple[_Coverage, tuple[tuple[float, float], tuple[float, float]] | None]: ...
 
+_RuleName: TypeAlias = Literal["holds", "sags", "meets", "flows", "knots", "welds"]
+_WorstRow: TypeAlias = tuple[float, int, _Point, float, float]
+_Found: TypeAlias = tuple[_WorstRow | None, int, int]
+
+@final
+class Forecast:
+    @property
+    def found(self) -> list[tuple[_RuleName, _Found]]: ...
+    @property
+    def weld_median(self) -> float: ...
+    @property
+    def frame_judged(self) -> bool: ...
+    @property
+    def air_blows(self) -> bool: ...
+    @property
+    def lines(self) -> npt.NDArray[np.uint64]: ...
+    @property
+    def ends(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def age_s(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def temperature_c(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def sag_mm(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def compliance_mm_n(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def flow_share(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def weld(self) -> npt.NDArray[np.float64]: ...
+
+def forecast(
+    text: bytes, rules: Mapping[str, Any], estimate: Estimate, terms: Mapping[str, Any]
+) -> Forecast: ...
+def nusselt_still(rayleigh: float, prandtl: float) -> float: ...
+def nusselt_across(reynolds: float, prandtl: float) -> float: ...
+def heat_transfer(thermal: Mapping[str, float], strand_c: float, air_mm_s: float) -> float: ...
+def cooling_time(thermal: Mapping[str, float], to_c: float, air_mm_s: float) -> float: ...
+def holding_pause(
+    matter: Mapping[str, float],
+    air_mm_s: float,
+    length_mm: float,
+    speed_mm_s: float,
+    pull_n: float,
+    most_s: float,
+) -> float: ...
+def sags(
+    matter: Mapping[str, float], air_mm_s: float, speed_mm_s: float, lengths_mm: Sequence[float]
+) -> list[float]: ...
 def bgcode_text(content: bytes) -> bytes: ...
 def certify(text: bytes, rules: Mapping[str, Any]) -> Certificate: ...
 def growth(

@@ -12,7 +12,15 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    field_validator,
+    model_validator,
+)
 
 from wireprint.cooling import cooling_s
 from wireprint.gcode import sequence
@@ -61,6 +69,15 @@ def _one_printable_line(name: str) -> str:
 
 #: Written into comments of G-code, onto pages and into terminals.
 Name = Annotated[str, Field(min_length=1, max_length=100), AfterValidator(_one_printable_line)]
+
+
+def _auto_is_none(value: object) -> object:
+    """Take the word for what None means."""
+    return None if value == "auto" else value
+
+
+#: s; None, or "auto": until a strand holds.
+Pause = Annotated[float | None, BeforeValidator(_auto_is_none)]
 
 
 #: A strand bears the nozzle's pull from a little above its glass transition on: a model of a
@@ -404,6 +421,15 @@ class Material(Section):
     modulus_mpa: float = Field(
         2200.0, ge=1, le=1e6, description="Young's, of the cold material; ABS unless told"
     )
+    melt_viscosity_pa_s: float = Field(
+        3000.0, ge=1, le=1e7, description="in shear, at the nozzle's temperature; estimated"
+    )
+    plateau_modulus_pa: float = Field(
+        2e5, ge=1, le=1e9, description="of the entangled melt, in shear; estimated"
+    )
+    draw: float = Field(
+        1.1, ge=1, le=2, description="by which the nozzle draws a strand out; a harp tells it"
+    )
 
     @model_validator(mode="after")
     def _cools_from_nozzle_through_hold_to_air(self) -> Self:
@@ -461,8 +487,11 @@ class Wire(Section):
     strategy: Literal["pause", "slow", "overshoot"] = Field(
         "pause", description="against sagging strokes; the paper found pause the fastest"
     )
-    pause_s: float | None = Field(
-        None, ge=0, le=60, description="at the end of a floating stroke; None: until it holds"
+    pause_s: Pause = Field(
+        None,
+        ge=0,
+        le=60,
+        description="at the end of a floating stroke; None or auto: until it holds",
     )
     slow_mm_s: float = Field(
         5.0, ge=0.1, le=100, description="floating strokes under slow; CuraEngine's wire speed"
@@ -613,6 +642,33 @@ class Layerwise(LayerProfile):
     frame: Frame = Field(default_factory=Frame)
 
 
+class SagPoint(Section):
+    """What a calibration says of level stretches of one length."""
+
+    length_mm: float = Field(ge=1, le=500)
+    sag_mm: float = Field(ge=1e-4, le=500)
+    spread_mm: float = Field(ge=0, le=500, description="one standard deviation")
+
+
+class Calibration(Section):
+    """What prints of one machine told of its pause and its sags; ``wireprint calibrate fit``.
+
+    It holds for what it was measured with: another nozzle, temperature or air asks for a new one.
+    """
+
+    date: Name = Field(description="day of the measurements, as 2026-11-27")
+    measured: tuple[Name, ...] = Field(max_length=50, description="what, in words")
+    nozzle_mm: float = Field(ge=0.05, le=5)
+    nozzle_c: float = Field(ge=100, le=500)
+    method: CoolingMethod
+    print_mm_s: float = Field(ge=0.1, le=500)
+    pause_s: float = Field(ge=1e-3, le=60)
+    pause_spread_s: float = Field(ge=0, le=60, description="one standard deviation")
+    sags: tuple[SagPoint, ...] = Field(
+        (), max_length=20, description="by length, the shortest first"
+    )
+
+
 class Settings(Section):
     """One printer, one material, one way of wiring.
 
@@ -630,6 +686,7 @@ class Settings(Section):
     wire: Wire = Field(default_factory=Wire)
     layerwise: Layerwise = Field(default_factory=Layerwise)
     regions: Regions = Field(default_factory=Regions)
+    calibration: Calibration | None = Field(None, description="None: nothing was measured")
 
     @model_validator(mode="after")
     def _a_valve_has_a_pin(self) -> Self:
@@ -692,8 +749,22 @@ class Settings(Section):
 
     @property
     def pause_s(self) -> float:
-        """Pause at the end of a floating stroke, s."""
-        return self.solidify_s if self.wire.pause_s is None else self.wire.pause_s
+        """Pause at the end of a floating stroke, s: as asked for, as measured, or as computed."""
+        if self.wire.pause_s is not None:
+            return self.wire.pause_s
+        calibration = self.calibrated
+        return self.solidify_s if calibration is None else calibration.pause_s
+
+    @property
+    def calibrated(self) -> Calibration | None:
+        """The calibration, if it was measured with what these settings are."""
+        known = self.calibration
+        if known is None:
+            return None
+        then = (known.nozzle_mm, known.nozzle_c, known.method)
+        cooling = self.printer.cooling
+        now = (self.printer.head.nozzle_mm, self.material.nozzle_c, cooling.method)
+        return known if then == now else None
 
     @property
     def solidify_s(self) -> float:

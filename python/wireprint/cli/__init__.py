@@ -32,6 +32,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "Show or keep the default printer and material.",
     ),
     "check": ("wireprint.cli.check", "check", "Judge whether a G-code file can be printed."),
+    "simulate": (
+        "wireprint.cli.simulate",
+        "simulate",
+        "Forecast whether strands hold, sag, meet and weld.",
+    ),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
     "compare": (
         "wireprint.cli.compare",

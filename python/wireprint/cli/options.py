@@ -44,6 +44,11 @@ _KEYS: dict[str, tuple[str, Any, str]] = {
         click.Choice(["pause", "slow", "overshoot"]),
         "What keeps floating strokes from sagging.",
     ),
+    "pause": (
+        "wire.pause_s",
+        str,
+        "Pause at the end of a floating stroke, s; auto: until it holds.",
+    ),
     "cooling": (
         "cooling.method",
         click.Choice(["valve", "fan", "none"]),

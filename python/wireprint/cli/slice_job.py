@@ -51,6 +51,8 @@ class Job:
     compare: bool
     #: Whether it is asked for where the print gives way easily.
     weak: bool
+    #: Whether it is asked for what strands would do when they are hot and heavy.
+    forecast: bool
     #: Whether each model is turned into its best pose.
     orient: bool
 
@@ -102,6 +104,12 @@ class Job:
         if self.weak and made.weak is None:
             warnings.append("how far it gives way while it grows was not judged: too much work")
         figures["warnings"] += warnings
+        if self.forecast:
+            from wireprint.forecast import simulate
+            from wireprint.forecast_words import told
+
+            with clock.stage("forecast"):
+                figures["forecast"] = told(simulate(made.gcode, settings))
         return Sliced(made.gcode, figures, clock)
 
     def _loaded(self, path: Path) -> tuple[Mesh, Settings, Region | None]:

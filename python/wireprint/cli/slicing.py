@@ -51,6 +51,11 @@ if TYPE_CHECKING:
 @click.option(
     "--weak", is_flag=True, help="Tell where the print gives way easily; --json always does."
 )
+@click.option(
+    "--forecast",
+    is_flag=True,
+    help="Tell what strands would do when they are hot and heavy, as wireprint simulate does.",
+)
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 @click.pass_context
 def slice_models(
@@ -61,6 +66,7 @@ def slice_models(
     as_json: bool,
     force: bool,
     weak: bool,
+    forecast: bool,
     quiet: bool,
     orient: bool,
     **options: Any,
@@ -86,6 +92,7 @@ def slice_models(
         force=force,
         compare=as_json or not quiet,
         weak=as_json or weak,
+        forecast=forecast,
         orient=orient,
     )
     told = Told(models, as_json=as_json, quiet=quiet, to_stderr=output == STREAM)

@@ -56,6 +56,10 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
         yield _row("weak", f"and {rest} more places")
     if (regions := figures["regions"]) is not None:
         yield from _of_regions(regions)
+    if (forecast := figures.get("forecast")) is not None:
+        yield _row("forecast", f"{forecast['trust']}, a model and no part of the certificate")
+        for sentence in forecast["sentences"]:
+            yield _row("", sentence)
     for sentence in figures["warnings"]:
         yield _row("note", sentence)
 

@@ -8,6 +8,7 @@ mod check;
 mod errors;
 mod estimate;
 mod facets;
+mod forecast;
 mod gcode;
 mod head;
 mod layered;
@@ -38,6 +39,11 @@ mod _core {
     use super::estimate::{Estimate, estimate, estimate_files};
     #[pymodule_export]
     use super::facets::Facets;
+    #[pymodule_export]
+    use super::forecast::{
+        Forecast, cooling_time, forecast, heat_transfer, holding_pause, nusselt_across,
+        nusselt_still, sags,
+    };
     #[pymodule_export]
     use super::gcode::{format_moves, insert_progress};
     #[pymodule_export]

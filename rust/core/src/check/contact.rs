@@ -16,7 +16,7 @@ pub(crate) const ROUNDING_MM: f64 = 2e-3;
 pub(super) const OWN_CHAIN_DIAMETERS: f64 = 3.0;
 
 /// A part of a strand, as parameters 0–1.
-pub(super) type Part = [f64; 2];
+pub(crate) type Part = [f64; 2];
 
 /// Greatest distance between centrelines in contact, mm.
 pub(crate) fn touch(rules: &Rules) -> f64 {
@@ -27,7 +27,7 @@ pub(crate) fn touch(rules: &Rules) -> f64 {
 const BATCH: usize = 64;
 
 /// The parts in contact of every strand.
-pub(super) fn of_all(deposit: &Deposit, rules: &Rules) -> Vec<Vec<Part>> {
+pub(crate) fn of_all(deposit: &Deposit, rules: &Rules) -> Vec<Vec<Part>> {
     let strands = (0..deposit.strands.len() as u32).into_par_iter().with_min_len(BATCH);
     strands.map(|strand| parts(strand, deposit, rules)).collect()
 }

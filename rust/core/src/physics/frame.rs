@@ -42,10 +42,11 @@ pub(super) struct Frame {
 
 /// Two places of strands that touch.
 #[derive(Debug, Clone, Copy)]
-struct Contact {
-    strands: [u32; 2],
+pub(super) struct Contact {
+    /// The one that was there, and the one that was laid on it.
+    pub strands: [u32; 2],
     /// Where along each, 0–1.
-    at: [f64; 2],
+    pub at: [f64; 2],
 }
 
 impl Contact {
@@ -53,26 +54,39 @@ impl Contact {
     fn inner(&self) -> usize {
         self.at.iter().filter(|&&u| u != 0.0 && u != 1.0).count()
     }
+
+    /// Whether it is no joint, but the strand that goes on.
+    pub(super) fn goes_on(&self) -> bool {
+        self.strands[0] + 1 == self.strands[1] && self.at == [1.0, 0.0]
+    }
+}
+
+/// Where strands for which `counts` holds touch each other, in the order of their numbers.
+pub(super) fn contacts(
+    deposit: &Deposit,
+    rules: &Rules,
+    counts: impl Fn(usize) -> bool + Sync,
+) -> Vec<Contact> {
+    (0..deposit.strands.len())
+        .into_par_iter()
+        .with_min_len(BATCH)
+        .filter(|&strand| counts(strand))
+        .flat_map_iter(|strand| {
+            let mut found = Vec::new();
+            contacts_of(strand as u32, deposit, rules, &counts, &mut found);
+            found
+        })
+        .collect()
 }
 
 impl Frame {
-    /// The frame of the strands for which `counts` holds.
+    /// The frame of the strands for which `counts` holds, from their contacts.
     pub(super) fn of(
         deposit: &Deposit,
         rules: &Rules,
-        counts: impl Fn(usize) -> bool + Sync,
+        mut contacts: Vec<Contact>,
+        counts: impl Fn(usize) -> bool,
     ) -> Self {
-        let count = deposit.strands.len();
-        let mut contacts: Vec<Contact> = (0..count)
-            .into_par_iter()
-            .with_min_len(BATCH)
-            .filter(|&strand| counts(strand))
-            .flat_map_iter(|strand| {
-                let mut found = Vec::new();
-                contacts_of(strand as u32, deposit, rules, &counts, &mut found);
-                found
-            })
-            .collect();
         // Ends first: what touches near an end then touches there.
         contacts.sort_by_key(|contact| (contact.inner(), contact.strands));
         let mut joining = Joining::new(deposit, touch(rules));
@@ -80,6 +94,13 @@ impl Frame {
             joining.join(&contact);
         }
         joining.frame(rules.bed_contact + ROUNDING_MM, counts)
+    }
+
+    /// Without the beams that lie on the bed from end to end: they move as little as it does.
+    pub(super) fn on_the_bed(mut self) -> Self {
+        let Self { fixed, beams, .. } = &mut self;
+        beams.retain(|&Beam { from, to, .. }| !(fixed[from as usize] && fixed[to as usize]));
+        self
     }
 }
 
@@ -179,10 +200,10 @@ impl<'a> Joining<'a> {
         }
         frame.places = nodes.sums.iter().map(|&(sum, count)| sum / count).collect();
         frame.fixed = frame.places.iter().map(|place| place.z <= bed).collect();
-        let Frame { places, fixed, beams, .. } = &mut frame;
+        let Frame { places, beams, .. } = &mut frame;
         beams.retain(|&Beam { from, to, .. }| {
             let [a, b] = [from, to].map(|node| node as usize);
-            places[a].distance(places[b]) > SHORTEST_MM && !(fixed[a] && fixed[b])
+            places[a].distance(places[b]) > SHORTEST_MM
         });
         frame
     }

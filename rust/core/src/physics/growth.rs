@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::beam::{Section, transport};
 use super::compliance::Compliance;
-use super::frame::{Beam, Frame};
+use super::frame::{Beam, Frame, contacts};
 use super::six::greatest_of_shifts;
 use crate::check::deposit::Deposit;
 use crate::check::reading::{Macros, Reading};
@@ -67,13 +67,9 @@ pub fn grow_text(
 ) -> Result<Growth> {
     let read = Reading::of(text, settings, macros, rules.coldest);
     let deposit = Deposit::of(&read.notes.moves, &read.notes.dwells, &rules.bed);
-    let aside: Vec<bool> =
-        read.features.iter().map(|name| ASIDE.contains(&name.as_str())).collect();
-    let counts = |strand: usize| {
-        let feature = usize::from(deposit.features[strand]);
-        !aside.get(feature).copied().unwrap_or(false)
-    };
-    let frame = Frame::of(&deposit, rules, counts);
+    let counts = carrying(&read.features, &deposit);
+    let counts = |strand: usize| counts[strand];
+    let frame = Frame::of(&deposit, rules, contacts(&deposit, rules, counts), counts).on_the_bed();
     let open = Opening::of(&frame);
     let Effort { work, most_open } = open.effort(&frame);
     if work > elastic.most_work {
@@ -82,17 +78,36 @@ pub fn grow_text(
     memory::claim(Compliance::bytes(most_open), || format!("a frame with {most_open} loose ends"))?;
     let section = Section::new(rules.strand, elastic.modulus);
     let mut peaks = Vec::new();
-    grow(&frame, &open, most_open, section, |strand, compliance| {
-        if rises(&deposit, strand, rules.tolerance()) {
-            let (line, [_, at]) = (deposit.lines[strand], deposit.strands[strand]);
+    grow(&frame, &open, most_open, section, |laid| {
+        if let Some(compliance) = laid.tip
+            && rises(&deposit, laid.strand, rules.tolerance())
+        {
+            let (line, [_, at]) = (deposit.lines[laid.strand], deposit.strands[laid.strand]);
             peaks.push(Peak { line, at, compliance });
         }
     });
     Ok(Growth { peaks, judged: true, work })
 }
 
+/// For each strand, whether it carries anything, by the labels of a text.
+pub(super) fn carrying(labels: &[String], deposit: &Deposit) -> Vec<bool> {
+    let aside: Vec<bool> = labels.iter().map(|name| ASIDE.contains(&name.as_str())).collect();
+    let is_aside = |&feature: &u16| aside.get(usize::from(feature)).copied().unwrap_or(false);
+    deposit.features.iter().map(|feature| !is_aside(feature)).collect()
+}
+
+/// A strand that has just been laid, and how far things give way where it ends, mm/N.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Laid {
+    pub strand: usize,
+    /// Its own end, if that is new and hangs freely.
+    pub tip: Option<f64>,
+    /// The softest place that it met, before it held it.
+    pub met: Option<f64>,
+}
+
 /// Whether a strand rises by `least` mm and its chain goes on no higher.
-fn rises(deposit: &Deposit, strand: usize, least: f64) -> bool {
+pub(super) fn rises(deposit: &Deposit, strand: usize, least: f64) -> bool {
     let rise = |[from, to]: [DVec3; 2]| to.z - from.z;
     let next = strand + 1;
     let goes_on = deposit.links.get(next).is_some_and(|link| {
@@ -103,21 +118,21 @@ fn rises(deposit: &Deposit, strand: usize, least: f64) -> bool {
 
 /// What a print's growth takes.
 #[derive(Debug, Clone, Copy, Default)]
-struct Effort {
+pub(super) struct Effort {
     /// Floating-point operations.
-    work: f64,
+    pub work: f64,
     /// Nodes that are open at a time.
-    most_open: usize,
+    pub most_open: usize,
 }
 
 /// Until when each node is open, and how the beams of each strand follow.
-struct Opening {
+pub(super) struct Opening {
     /// The last strand that touches each node.
     last: Vec<u32>,
 }
 
 impl Opening {
-    fn of(frame: &Frame) -> Self {
+    pub(super) fn of(frame: &Frame) -> Self {
         let mut last = vec![0; frame.places.len()];
         for &Beam { from, to, strand } in &frame.beams {
             for node in [from, to] {
@@ -129,7 +144,7 @@ impl Opening {
     }
 
     /// What it takes: 12 floating-point operations for each pair of rows of a loop that closes.
-    fn effort(&self, frame: &Frame) -> Effort {
+    pub(super) fn effort(&self, frame: &Frame) -> Effort {
         let mut seen = frame.fixed.clone();
         let mut opened = Vec::new();
         let mut effort = Effort::default();
@@ -151,14 +166,13 @@ impl Opening {
     }
 }
 
-/// Adds the beams one after the other; `free` is told each strand whose end, when it has just been
-/// laid, is new and hangs freely, with the end's compliance in mm/N.
-fn grow(
+/// Adds the beams one after the other; `told` is told each strand when it has just been laid.
+pub(super) fn grow(
     frame: &Frame,
     open: &Opening,
     most_open: usize,
     section: Section,
-    mut free: impl FnMut(usize, f64),
+    mut told: impl FnMut(Laid),
 ) {
     let mut compliance = Compliance::with_room(most_open);
     let mut slots: Vec<Option<u32>> = vec![None; frame.places.len()];
@@ -166,6 +180,7 @@ fn grow(
     for beams in frame.beams.chunk_by(|a, b| a.strand == b.strand) {
         let strand = beams[0].strand;
         let mut tip = None;
+        let mut met: Option<f64> = None;
         for beam in beams {
             let [from, to] = [beam.from as usize, beam.to as usize];
             let is_held = |node: usize| frame.fixed[node] || slots[node].is_some();
@@ -177,6 +192,10 @@ fn grow(
             let run = frame.places[to] - frame.places[from];
             let (transport, flexibility) = (transport(run), section.flexibility(run));
             if is_held(to) {
+                if let Some(slot) = slots[to] {
+                    let gives = greatest_of_shifts(&compliance.block(slot));
+                    met = Some(met.map_or(gives, |most| most.max(gives)));
+                }
                 compliance.close(slots[from], slots[to], &transport, &flexibility);
                 tip = None;
             } else {
@@ -186,9 +205,9 @@ fn grow(
             }
         }
         let end = frame.ends[strand as usize].map(|[_, end]| end as usize);
-        if let Some(slot) = tip.filter(|&node| Some(node) == end).and_then(|node| slots[node]) {
-            free(strand as usize, greatest_of_shifts(&compliance.block(slot)));
-        }
+        let tip = tip.filter(|&node| Some(node) == end).and_then(|node| slots[node]);
+        let tip = tip.map(|slot| greatest_of_shifts(&compliance.block(slot)));
+        told(Laid { strand: strand as usize, tip, met });
         opened.retain(|&node| {
             let closes = open.last[node] <= strand;
             if closes && let Some(slot) = slots[node].take() {
@@ -294,9 +313,13 @@ mod tests {
         frame
     }
 
-    fn grow_all(frame: &Frame, section: Section, free: impl FnMut(usize, f64)) {
+    fn grow_all(frame: &Frame, section: Section, mut free: impl FnMut(usize, f64)) {
         let open = Opening::of(frame);
-        grow(frame, &open, open.effort(frame).most_open, section, free);
+        grow(frame, &open, open.effort(frame).most_open, section, |laid| {
+            if let Some(tip) = laid.tip {
+                free(laid.strand, tip);
+            }
+        });
     }
 
     #[test]

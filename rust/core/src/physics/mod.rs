@@ -6,11 +6,32 @@
 //! generator nothing. Joints are ideal and strands cold, so every figure is a lower bound: it
 //! tells prints and places apart, and promises nothing.
 
+mod band;
 mod beam;
+mod climate;
+mod clock;
 mod closest;
 mod compliance;
+mod conditions;
+pub mod cooling;
+pub mod flow;
+mod flows;
+mod forecast;
 mod frame;
 mod growth;
+mod hanging;
+pub mod holds;
+mod joints;
+mod ooze;
+mod rod;
+pub mod sag;
+mod sagging;
+mod scene;
 mod six;
+mod weld;
 
+pub use clock::Times;
+pub use conditions::Switch;
+pub use forecast::{Forecast, PerStrand, forecast_text};
 pub use growth::{Elastic, Growth, Peak, grow_text};
+pub use scene::{Found, SagShare, Terms, Worst};

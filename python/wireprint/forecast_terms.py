@@ -1,0 +1,89 @@
+"""What a forecast is made from: a strand of a material, its air, and what was calibrated."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from wireprint import _core
+
+if TYPE_CHECKING:
+    from wireprint.settings import Material, Settings
+
+#: An uncalibrated figure may be so many times as large, or as small: air speed, viscosity and draw
+#: are known within about that.
+SPREAD: Final = 2.0
+#: Standard deviations of a calibration that a figure is told within.
+_DEVIATIONS: Final = 2.0
+#: Floating-point operations after which the growing frame is not judged: half a minute of one core.
+MOST_WORK: Final = 1e11
+#: The modulus falls in the middle of a range that begins at the glass transition, K: the core's.
+_SOFTENS_ABOVE_K: Final = 5.0
+
+
+def calibrated_spread(name: str, settings: Settings) -> float | None:
+    """Return the spread of a rule's figure as a factor; None for one that was not calibrated."""
+    known = settings.calibrated
+    if known is None:
+        return None
+    if name == "holds":
+        return 1 + _DEVIATIONS * known.pause_spread_s / known.pause_s
+    if name == "sags" and known.sags:
+        return 1 + _DEVIATIONS * max(one.spread_mm / one.sag_mm for one in known.sags)
+    return None
+
+
+def matter_of(material: Material, strand_mm: float) -> dict[str, float]:
+    """Return what the core knows of a strand: its diameter in mm, and a material."""
+    return {
+        "strand_mm": strand_mm,
+        "nozzle_c": material.nozzle_c,
+        "air_c": material.air_c,
+        "density_g_cm3": material.density_g_cm3,
+        "specific_heat_j_kgk": material.specific_heat_j_kgk,
+        "conductivity_w_mk": material.conductivity_w_mk,
+        # What is said of the temperature at which strands hold moves all that depends on it.
+        "glass_c": material.holding_c - _SOFTENS_ABOVE_K,
+        "modulus_mpa": material.modulus_mpa,
+        "melt_viscosity_pa_s": material.melt_viscosity_pa_s,
+        "plateau_modulus_pa": material.plateau_modulus_pa,
+        "draw": material.draw,
+    }
+
+
+def air_mm_s(settings: Settings) -> float:
+    """Return the speed of the air where all of it blows, mm/s."""
+    cooling = settings.printer.cooling
+    speed: float = getattr(cooling.air_mm_s, cooling.method)
+    return speed
+
+
+def terms_of(settings: Settings) -> dict[str, Any]:
+    """Return what the core forecasts with."""
+    printer, material = settings.printer, settings.material
+    matter = matter_of(material, printer.head.nozzle_mm)
+    known = settings.calibrated
+    spread, faster, farther = calibrated_spread("holds", settings) or SPREAD, 1.0, []
+    if known is not None:
+        faster = settings.solidify_s / known.pause_s
+        lengths = [one.length_mm for one in known.sags]
+        modelled = _core.sags(matter, air_mm_s(settings), known.print_mm_s, lengths)
+        farther = [
+            {"length_mm": one.length_mm, "share": one.sag_mm / sag}
+            for one, sag in zip(known.sags, modelled, strict=True)
+        ]
+    return matter | {
+        "air_switch": _switch(settings),
+        "air_mm_s": air_mm_s(settings),
+        "pull_n": settings.wire.pull_n,
+        "pressure_lag_s": printer.extruder.pressure_lag_s,
+        "most_work": MOST_WORK,
+        "sets_faster": (faster / spread, faster, faster * spread),
+        "sags_farther": farther,
+    }
+
+
+def _switch(settings: Settings) -> str | dict[str, Any]:
+    cooling = settings.printer.cooling
+    if cooling.method != "valve":
+        return cooling.method
+    return {"valve": {"pin": cooling.valve_pin, "output": cooling.valve_output}}

@@ -1,0 +1,175 @@
+"""A forecast in words: a sentence for each rule, with the worst place and what can be done."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Final
+
+from wireprint import _core
+from wireprint.forecast_terms import air_mm_s, matter_of
+
+if TYPE_CHECKING:
+    from wireprint.forecast import Forecast, Rule
+    from wireprint.settings import Settings
+
+#: No pause is advised that is longer, s.
+_LONGEST_PAUSE_S: Final = 20.0
+
+_WHAT: Final = {
+    "holds": ("posts", "lean by {} when the nozzle leaves them"),
+    "sags": ("stretches", "sag by {}"),
+    "meets": ("places that strands end on", "be pulled aside by {}"),
+    "flows": ("strokes", "get {} more or less than their material"),
+    "knots": ("knots", "stand out of their strand by {}"),
+}
+
+
+def told(forecast: Forecast) -> dict[str, Any]:
+    """Return figures and words as values that JSON knows."""
+    return forecast.to_dict() | {
+        "sentences": sentences(forecast),
+        "unknown": unknown(forecast.judge.settings),
+    }
+
+
+def sentences(forecast: Forecast) -> list[str]:
+    """Return a sentence for each rule."""
+    settings = forecast.judge.settings
+    return [
+        f"{name}: {_sentence(rule, forecast, settings)}" for name, rule in forecast.rules.items()
+    ]
+
+
+def unknown(settings: Settings) -> list[str]:
+    """Return what a forecast does not know, in sentences."""
+    known = settings.calibrated
+    if known is None:
+        trust = (
+            "Nothing of it was measured on this printer: each figure may be half or twice as large "
+            "(wireprint calibrate)."
+        )
+        if settings.calibration is not None:
+            then = settings.calibration
+            trust += (
+                f" The calibration of {then.date} was measured with a {then.nozzle_mm:g} mm nozzle "
+                f"at {then.nozzle_c:g} °C and cooling by {then.method}; what differs from that "
+                "asks for a new ladder."
+            )
+    else:
+        trust = (
+            f"Pause and sags were measured on {known.date} ({'; '.join(known.measured)}); all "
+            "other figures may be half or twice as large."
+        )
+    return [
+        trust,
+        "Joints are taken as rigid, strands as straight and of one thickness: a print gives way at "
+        "least as far as is told.",
+        "Welds are a ranking of places, not a strength; no figure says what a print bears.",
+        "Left out: what the nozzle pushes when it meets a knot, curling and warping, vibration, "
+        "draughts between strands, humidity, crystallisation, strings over travels.",
+        "It is no part of the certificate, and no promise that a print succeeds.",
+    ]
+
+
+def figure(value: float) -> str:
+    """Write a number with the two digits that it is good for."""
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g}"
+    decimals = max(0, 1 - math.floor(math.log10(abs(value))))
+    return f"{value:.{min(decimals, 4)}f}"
+
+
+def _amount(value: float, unit: str) -> str:
+    return f"{figure(value)} {unit}" if unit else f"{100 * value:.0f} %"
+
+
+def _sentence(rule: Rule, forecast: Forecast, settings: Settings) -> str:
+    if rule.worst is None:
+        return _why_not(rule, forecast, settings)
+    x, y, z = rule.place_mm or (0.0, 0.0, 0.0)
+    where = f"at ({x:.1f}, {y:.1f}, {z:.1f}), line {rule.line}"
+    if rule.name == "welds":
+        return _of_welds(rule, forecast, where)
+    things, verb = _WHAT[rule.name]
+    limit = rule.limit or 0.0
+    low, high = (_amount(bound, rule.unit) for bound in rule.bounds or (0.0, 0.0))
+    worst = f"{_amount(rule.worst, rule.unit)} ({low} to {high}) {where}"
+    too_much = verb.format(f"more than {_amount(limit, rule.unit)}")
+    if rule.verdict == "passes":
+        return f"none of {rule.of} {things} would {too_much}: at most {worst}"
+    if rule.over == 0:
+        return (
+            f"{things} may {too_much}, which is not sure: at most {worst}; "
+            f"{_remedy(rule, forecast, settings)}"
+        )
+    surely = "would" if rule.verdict == "fails" else "might"
+    return (
+        f"{rule.over} of {rule.of} {things} {surely} {too_much}: the worst {worst}; "
+        f"{_remedy(rule, forecast, settings)}"
+    )
+
+
+def _of_welds(rule: Rule, forecast: Forecast, where: str) -> str:
+    share = 1 - (rule.worst or 0.0)
+    return (
+        f"half of {rule.of} strands weld to at least {100 * (forecast.weld_median or 0):.0f} % "
+        f"where they are weaker (a ranking); the weakest to {100 * share:.0f} %, on a strand that "
+        f"has cooled to {rule.detail:.0f} °C, {where}; hotter: material.nozzle_c, a warm chamber"
+    )
+
+
+def _why_not(rule: Rule, forecast: Forecast, settings: Settings) -> str:
+    if rule.name in ("flows", "knots") and settings.printer.extruder.pressure_lag_s <= 0:
+        return (
+            "not judged: extruder.pressure_lag_s is 0; the firmware's own test of pressure or "
+            "linear advance tells it"
+        )
+    if rule.name == "meets" and not forecast.core.frame_judged:
+        return "not judged: so large a frame would take too much work"
+    return "nothing in this file is concerned"
+
+
+def _remedy(rule: Rule, forecast: Forecast, settings: Settings) -> str:
+    """Say what can be done about a rule that fails."""
+    cooling = settings.printer.cooling
+    if rule.name == "holds":
+        return _longer_pause(rule, settings)
+    if rule.name == "sags":
+        if rule.detail == 0 and cooling.method != "none":
+            return f"no air blows there: switch it on (cooling.method is {cooling.method})"
+        if cooling.method == "none":
+            return "let air blow (cooling.method), or keep stretches short"
+        return "keep stretches short (--slab-max lower, wire.cap_spacing_mm), or print slower"
+    if rule.name == "meets":
+        return "print lower slabs (--slab-max), a thicker strand, or a wider foot"
+    lag = settings.printer.extruder.pressure_lag_s
+    return (
+        f"let the firmware make up for a lag of {lag:g} s (gcode.pressure_advance), or measure it "
+        "anew (extruder.pressure_lag_s)"
+    )
+
+
+def _longer_pause(rule: Rule, settings: Settings) -> str:
+    if rule.detail > (rule.limit or 0.0):
+        return "what they stand on gives way, and no pause helps: print lower slabs (--slab-max)"
+    pause_s = _core.holding_pause(
+        matter_of(settings.material, settings.printer.head.nozzle_mm),
+        air_mm_s(settings),
+        rule.length_mm,
+        settings.print_mm_s,
+        settings.wire.pull_n,
+        _LONGEST_PAUSE_S,
+    )
+    known = settings.calibrated
+    pause_s *= 1.0 if known is None else known.pause_s / settings.solidify_s
+    if rule.over == 0:
+        return (
+            f"a pause of {2 * pause_s:.1f} s would be on the safe side, and wireprint calibrate "
+            "ladder tells the true one"
+        )
+    if pause_s >= _LONGEST_PAUSE_S:
+        return (
+            f"a post of {rule.length_mm:.1f} mm is too soft even when it is cold: print lower "
+            "slabs (--slab-max)"
+        )
+    return f"pause for {pause_s:.1f} s (--pause {pause_s:.1f}), or let more air blow"

@@ -1,0 +1,216 @@
+//! The forecast of a text: what its strands would do when they are hot, heavy and pulled at.
+//!
+//! From the written text alone, as the certificate is: its strands and contacts, when each move
+//! begins and ends, and what switches the air. No part of the certificate, and a model throughout.
+
+use glam::DVec3;
+
+use super::beam::Section;
+use super::climate::Climate;
+use super::clock::{Times, spans};
+use super::compliance::Compliance;
+use super::conditions::{Conditions, along};
+use super::flows::{Flows, flows};
+use super::frame::{Frame, contacts};
+use super::growth::{Effort, Opening, carrying, grow, rises};
+use super::hanging::{Stretch, stretches};
+use super::holds::{Stroke, softness};
+use super::joints::{Joints, joints};
+use super::sagging::sagging;
+use super::scene::{Found, Scene, Terms};
+use crate::check::contact;
+use crate::check::deposit::Deposit;
+use crate::check::reading::{Macros, Reading};
+use crate::check::rules::Rules;
+use crate::error::Result;
+use crate::gcode::machine::MachineSettings;
+use crate::memory;
+
+/// Figures of each strand, NaN where a strand has none.
+#[derive(Debug, Clone, Default)]
+pub struct PerStrand {
+    /// Line of each.
+    pub lines: Vec<u64>,
+    /// Its ends, mm.
+    pub ends: Vec<[DVec3; 2]>,
+    /// Age of what it is joined to at its weaker end, when it comes there, s.
+    pub age: Vec<f64>,
+    /// Temperature of that then, °C.
+    pub celsius: Vec<f64>,
+    /// Sag of the stretch that it lies in, mm.
+    pub sag: Vec<f64>,
+    /// How far its end, or what it meets there, gives way, mm/N.
+    pub compliance: Vec<f64>,
+    /// Share of what it is fed that comes out along it.
+    pub flow: Vec<f64>,
+    /// Share of a whole weld at its weaker end.
+    pub weld: Vec<f64>,
+}
+
+/// What a text would do.
+#[derive(Debug, Clone, Default)]
+pub struct Forecast {
+    /// Figures of each strand.
+    pub strands: PerStrand,
+    /// Lean of posts when the nozzle leaves them, mm, by how fast they set: the least, what is
+    /// likely, and the most; the detail is the part of it that is due to what they stand on.
+    pub holds: [Found; 3],
+    /// Sag of stretches, mm; the detail is the speed of the air there, mm/s.
+    pub sags: Found,
+    /// How far what a strand ends on is pulled aside, mm; the detail is its compliance, mm/N.
+    pub meets: Found,
+    /// Shares of material, as the distance from a whole one; the detail is the share.
+    pub flows: Found,
+    /// How far knots stand out of their strand, mm; the detail is their diameter, mm.
+    pub knots: Found,
+    /// What is missing to a whole weld; the detail is the temperature of the older strand, °C.
+    pub welds: Found,
+    /// Median share of a weld, of strands that have one; NaN without.
+    pub weld_median: f64,
+    /// Whether the frame was judged: not where that would take too much work.
+    pub frame_judged: bool,
+    /// Whether the air ever blows.
+    pub air_blows: bool,
+}
+
+/// Forecasts a G-code text.
+///
+/// # Errors
+/// [`CoreError::Memory`](crate::CoreError::Memory) for a text too long for the memory that is
+/// allowed.
+pub fn forecast_text(
+    text: &[u8],
+    settings: MachineSettings,
+    macros: &Macros,
+    rules: &Rules,
+    times: Times<'_>,
+    terms: &Terms,
+) -> Result<Forecast> {
+    let read = Reading::of(text, settings, macros, rules.coldest);
+    let moves = &read.notes.moves;
+    memory::claim(moves.len() as u64 * BYTES_PER_MOVE, || {
+        format!("a forecast of {} moves", moves.len())
+    })?;
+    let deposit = Deposit::of(moves, &read.notes.dwells, &rules.bed);
+    let conditions = Conditions::of(text, &terms.air_switch);
+    let spans = spans(moves, times);
+    let shares = along(&conditions.air, 0.0, moves.iter().map(|step| step.line));
+    let shares = spans.iter().map(|span| span[0]).zip(shares);
+    let first = std::iter::once((0.0, 0.0));
+    let climate = Climate::of(&terms.matter.thermal, terms.air_mm_s, first.chain(shares));
+    let carries = carrying(&read.features, &deposit);
+    let scene = Scene {
+        read: &read,
+        deposit: &deposit,
+        rules,
+        terms,
+        spans: &spans,
+        climate: &climate,
+        carries: &carries,
+    };
+    scene.forecast(&conditions)
+}
+
+/// What a move takes, with its strand, its contacts and its figures, bytes.
+const BYTES_PER_MOVE: u64 = 800;
+
+impl Scene<'_> {
+    /// What all rules find.
+    fn forecast(&self, conditions: &Conditions) -> Result<Forecast> {
+        let Self { deposit, rules, terms, .. } = self;
+        let hanging = stretches(deposit, &contact::of_all(deposit, rules), rules);
+        let touching = contacts(deposit, rules, |strand| self.carries[strand]);
+        let Joints { age, celsius, weld, found: welds, median } = joints(self, &touching);
+        let frame = Frame::of(deposit, rules, touching, |strand| self.carries[strand]);
+        let grown = self.grown(&frame.on_the_bed())?;
+        let (sag, sags) = sagging(self, &hanging);
+        let Flows { shares, strokes, knots } = flows(self, &conditions.advance);
+        let strands = PerStrand {
+            lines: deposit.lines.clone(),
+            ends: deposit.strands.clone(),
+            age,
+            celsius,
+            sag,
+            compliance: grown.compliance.clone(),
+            flow: shares,
+            weld,
+        };
+        Ok(Forecast {
+            holds: terms.sets_faster.map(|faster| self.holds(&hanging, &grown, faster)),
+            meets: grown.meets,
+            frame_judged: grown.judged,
+            strands,
+            sags,
+            flows: strokes,
+            knots,
+            welds,
+            weld_median: median,
+            air_blows: self.climate.speeds().iter().any(|&speed| speed > 0.0),
+        })
+    }
+
+    /// How far the frame gives way as it grows.
+    fn grown(&self, frame: &Frame) -> Result<Grown> {
+        let Self { deposit, rules, terms, .. } = self;
+        let mut grown = Grown {
+            compliance: vec![f64::NAN; deposit.strands.len()],
+            meets: Found::default(),
+            judged: true,
+        };
+        let open = Opening::of(frame);
+        let Effort { work, most_open } = open.effort(frame);
+        if work > terms.most_work {
+            return Ok(Grown { judged: false, ..grown });
+        }
+        let room = Compliance::bytes(most_open);
+        memory::claim(room, || format!("a frame with {most_open} loose ends"))?;
+        let section = Section::new(rules.strand, terms.matter.modulus_mpa);
+        grow(frame, &open, most_open, section, |laid| {
+            let gives = laid.tip.or(laid.met).unwrap_or(f64::NAN);
+            grown.compliance[laid.strand] = gives;
+            if let Some(met) = laid.met {
+                let miss = terms.pull_n * met;
+                grown.meets.add(self.at_end(laid.strand, miss, 0.0, met), rules.tolerance());
+            }
+        });
+        Ok(grown)
+    }
+
+    /// How far posts lean when the nozzle leaves them, if they set faster by so much.
+    fn holds(&self, hanging: &[Stretch], grown: &Grown, faster: f64) -> Found {
+        let Self { deposit, rules, terms, .. } = self;
+        let mut found = Found::default();
+        let moment = std::f64::consts::PI * rules.strand.powi(4) / 64.0;
+        for stretch in hanging.iter().filter(|stretch| stretch.free) {
+            let [first, last] = stretch.strands;
+            if first > last || !self.carries[last] || !rises(deposit, last, rules.tolerance()) {
+                continue;
+            }
+            // A contact reaches a diameter up the post.
+            let length = stretch.length + rules.strand;
+            let [begin, end] = [self.span(first)[0], self.span(last)[1]];
+            let leaves = self.leaves(last);
+            let step = &self.read.notes.moves[deposit.steps[last] as usize];
+            let speed = step.speed.min(rules.limits.feed).max(f64::MIN_POSITIVE);
+            let stroke = Stroke { length, seconds: end - begin, speed };
+            let own = softness(&terms.matter, length, |back| {
+                let laid = end - stroke.before_end(back.min(length));
+                self.climate.celsius(laid, laid + (leaves - laid) * faster)
+            });
+            let cold = length.powi(3) / (3.0 * terms.matter.modulus_mpa * moment);
+            let base = (grown.compliance[last] - cold).max(0.0);
+            let base = if base.is_finite() { base } else { 0.0 };
+            let lean = (terms.pull_n * (base + own)).min(length);
+            found.add(self.at_end(last, lean, length, terms.pull_n * base), rules.tolerance());
+        }
+        found
+    }
+}
+
+/// A frame that has grown.
+struct Grown {
+    /// By strand, mm/N.
+    compliance: Vec<f64>,
+    meets: Found,
+    judged: bool,
+}
