@@ -319,3 +319,43 @@ def test_progress_changes_no_time():
     settings = Settings.load()
     timed, before = document.timed(document.body(path(**SMALL), settings, DATE), settings)
     assert document.timed(timed, settings)[1].total_s == before.total_s
+
+
+#: Roles as PrusaSlicer writes them; its viewer shows all others as unknown.
+PRUSA_ROLES = {
+    "Perimeter",
+    "External perimeter",
+    "Overhang perimeter",
+    "Internal infill",
+    "Solid infill",
+    "Top solid infill",
+    "Ironing",
+    "Bridge infill",
+    "Gap fill",
+    "Skirt/Brim",
+    "Support material",
+    "Support material interface",
+    "Wipe tower",
+    "Custom",
+}
+
+
+def test_prusas_viewer_knows_the_words_and_ours_are_read_all_the_same():
+    from wireprint._core import Strands
+
+    every = [number for number, name in enumerate(KINDS) if "retract" not in name]
+    toolpath = path([[i, 0, 0.35] for i in range(len(every))], every, filament=1.0)
+    ours, theirs = (
+        document.moves(toolpath, Settings.load(overrides=[f"gcode.type_words={words}"]))
+        for words in ("own", "prusa")
+    )
+    roles = {line.removeprefix(";TYPE:") for line in lines_of(theirs) if line.startswith(";TYPE:")}
+    assert len(roles) > 5
+    assert roles <= PRUSA_ROLES
+    assert commands(theirs) == commands(ours)
+
+    def kinds(text):
+        strands = Strands.from_gcode(text)
+        return [strands.labels[number] for number in strands.features.tolist()]
+
+    assert kinds(theirs) == kinds(ours)

@@ -422,6 +422,7 @@ def format_moves(
     toolpath: Toolpath,
     *,
     relative_extrusion: bool,
+    prusa_words: bool,
     dwell: str,
     air_on: str,
     air_off: str,

@@ -341,6 +341,11 @@ class Gcode(Section):
 
     flavor: Flavor
     relative_extrusion: bool = Field(True, description="M83, not M82")
+    type_words: Literal["own", "prusa"] = Field(
+        "own",
+        description="what ;TYPE: says: what strands are for, or PrusaSlicer's role that comes "
+        "nearest, which its viewer can colour; ours is a comment of its own then",
+    )
     pressure_advance: bool = Field(
         True,
         description="the firmware minds the pressure lag if its flavour can; off: old versions",

@@ -27,6 +27,11 @@ _KEYS: dict[str, tuple[str, Any, str]] = {
         click.Choice(["marlin", "reprapfirmware", "repetier", "klipper"]),
         "Firmware that reads the G-code.",
     ),
+    "type_words": (
+        "gcode.type_words",
+        click.Choice(["own", "prusa"]),
+        "Words after ;TYPE:, ours or those that PrusaSlicer's viewer colours.",
+    ),
     "slab_min": ("wire.slab_min_mm", float, "Lowest slab, mm."),
     "slab_max": ("wire.slab_max_mm", float, "Highest slab, mm."),
     "pattern": (

@@ -139,6 +139,7 @@ def moves(toolpath: Toolpath, settings: Settings) -> bytes:
     return format_moves(
         toolpath,
         relative_extrusion=gcode.relative_extrusion,
+        prusa_words=gcode.type_words == "prusa",
         dwell=flavor.dwell,
         air_on=air_on,
         air_off=air_off,

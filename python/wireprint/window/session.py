@@ -3,12 +3,8 @@
 from __future__ import annotations
 
 import sys
-import threading
-import time
 import traceback
-from collections import OrderedDict
-from functools import partial
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,36 +14,18 @@ from wireprint.regions import document
 from wireprint.regions.document import MarkEntry
 from wireprint.window import messages, outputs, telling
 from wireprint.window.answer import encoded
-from wireprint.window.history import History
-from wireprint.window.outputs import Printed
-from wireprint.window.watch import Watch
+from wireprint.window.workshop import Workshop
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from wireprint._core import Mesh
-    from wireprint.hybrid.sketch import Sketch
-    from wireprint.regions import Mark, Region
-    from wireprint.settings import Settings
-    from wireprint.window.history import State
+    from wireprint.regions import Mark
+    from wireprint.window.history import History
     from wireprint.window.source import Source
-
-#: Prints that are kept for undo and redo, bytes in all.
-_KEPT_BYTES: Final = 1 << 24
-#: Longest that an export waits for its print, s.
-_PATIENCE_S: Final = 600.0
-#: A print that takes longer tells what it is at, s.
-_SILENT_S: Final = 0.3
-#: Events that a page that comes later is told, too, in this order.
-_LASTING: Final = ("model", "state", "print", "current", "paint", "rest", "failed", "notice")
-
-
-class _Superseded(Exception):  # noqa: N818 - nothing is wrong
-    """What is computed is no longer wanted."""
 
 
 class Session:
-    """A model with its history, and the thread that prints it.
+    """Answers the messages of windows on a model.
 
     Parameters
     ----------
@@ -58,46 +36,20 @@ class Session:
     """
 
     def __init__(self, source: Source, tell: Callable[[str, bytes], None]) -> None:
-        self._source, self._tell_all = source, tell
-        self._history: History | None = None
-        self._mesh: Mesh | None = None
-        #: What its G-code is dated.
-        self._date = source.dated()
-        self._revision = 0
-        self._done = -1
-        self._stale = True
-        self._stopped = False
-        self._lasting: dict[str, bytes] = {}
-        #: Mesh and settings of the last print, and what it kept for the next one.
-        self._sketch: tuple[Mesh, Settings, Sketch] | None = None
-        self._kept: OrderedDict[int, Printed] = OrderedDict()
-        #: Guards all of the above; told whenever one of them changes.
-        self._changed = threading.Condition(threading.RLock())
-        self._thread = threading.Thread(target=self._work, name="print", daemon=True)
-        self._watch = None if source.path is None else Watch(source.path, self._saved)
+        self._source = source
+        self.workshop = Workshop(source, tell)
 
     def start(self) -> None:
         """Begin to read, print and watch the model."""
-        self._thread.start()
-        if self._watch is not None:
-            self._watch.start()
+        self.workshop.start()
 
     def stop(self) -> None:
-        """End the threads; a print that is under way is given up at its next stage."""
-        if self._watch is not None:
-            self._watch.stop()
-        with self._changed:
-            self._stopped = True
-            self._revision += 1
-            self._changed.notify_all()
-        if self._thread.is_alive():
-            self._thread.join(timeout=2.0)
+        """End the threads."""
+        self.workshop.stop()
 
     def welcome(self) -> list[bytes]:
         """Return what a page is told first: what it may ask for, and all that is known."""
-        with self._changed:
-            known = [self._lasting[name] for name in _LASTING if name in self._lasting]
-        return [telling.welcome(self._source), *known]
+        return [telling.welcome(self._source), *self.workshop.known()]
 
     def handle(self, content: bytes) -> bytes:
         """Do what a message asks, and return its answer; a fault is an answer, too."""
@@ -130,55 +82,16 @@ class Session:
                 return encoded({**head, **self._saved_beside(message)})
             case messages.Picture(azimuth_deg=azimuth, elevation_deg=elevation):
                 size = message.width, message.height
-                png = outputs.picture(self._printed(), (azimuth, elevation), size)
+                png = outputs.picture(self.workshop.printed(), (azimuth, elevation), size)
                 return encoded(head, {"file": np.frombuffer(png, np.uint8)})
             case _:
                 return encoded({**head, **self._edited(message)})
 
     def _edited(self, message: messages.Message) -> dict[str, Any]:
         """Change the history, and ask for a new print."""
-        found: dict[str, Any] = {}
-        with self._changed:
-            history = self._ready()
-            before = history.state
-            match message:
-                case messages.AddMark():
-                    found["number"] = history.add(_mark(message.mark), message.name)
-                case messages.ChangeMark(number=number, mark=entry, name=name, on=on):
-                    history.change(number, None if entry is None else _mark(entry), name, on)
-                case messages.MoveMark():
-                    history.move(message.number, message.to)
-                case messages.DeleteMark():
-                    history.delete(message.number)
-                case messages.Undo():
-                    history.undo()
-                case messages.Redo():
-                    history.redo()
-                case messages.Set():
-                    history.set(message.key, message.value)
-                case messages.Profile():
-                    _known("printers", message.printer)
-                    _known("materials", message.material)
-                    history.profile(message.printer, message.material)
-            if history.state is not before:
-                self._revision += 1
-                self._tell_state(history)
-                self._show_kept(history.state)
-                self._changed.notify_all()
-            return found | {"revision": self._revision}
-
-    def _show_kept(self, state: State) -> None:
-        """Show a print that is kept, whatever the thread is at: undo need not wait for it."""
-        printed = self._kept.get(id(state))
-        if printed is not None:
-            for event, content in printed.told.items():
-                self._tell_print(self._revision, event, content)
-            self._done = self._revision
-
-    def _ready(self) -> History:
-        if self._history is None:
-            raise SettingError("the model is not read yet")
-        return self._history
+        number, revision = self.workshop.edit(lambda history: _change(history, message))
+        added = {} if number is None else {"number": number}
+        return added | {"revision": revision}
 
     def _content(self, message: messages.Export | messages.Save) -> bytes:
         """Return the bytes of a file.
@@ -188,22 +101,12 @@ class Session:
         UnprintableError
             G-code that breaks the rules or leaves much bare is only given by force.
         """
-        with self._changed:
-            history, mesh = self._ready(), self._mesh
-            state, settings = history.state, history.settings
+        mesh, state, settings = self.workshop.now()
         if message.kind == "strokes":
             return outputs.strokes(state)
         if message.kind == "project":
-            assert mesh is not None, "a history has a mesh"  # noqa: S101
             return outputs.project(mesh, settings, state)
-        return outputs.gcode(self._printed(), message.force)
-
-    def _printed(self) -> Printed | None:
-        """Return the print of what is marked now, once it is there; None: there is none."""
-        with self._changed:
-            state, wanted = self._ready().state, self._revision
-            self._changed.wait_for(lambda: self._done >= wanted or self._stopped, _PATIENCE_S)
-            return self._kept.get(id(state))
+        return outputs.gcode(self.workshop.printed(), message.force)
 
     def _saved_beside(self, message: messages.Save) -> dict[str, Any]:
         """Write a file beside the model, or tell that another one is in the way."""
@@ -216,166 +119,29 @@ class Session:
             "exists": outputs.save(path, name, self._content(message), message.over),
         }
 
-    def now(self) -> tuple[Region, Settings]:
-        """Return what is marked, and the settings.
 
-        Raises
-        ------
-        SettingError
-            The model is not read yet.
-        """
-        with self._changed:
-            history = self._ready()
-            return history.state.region, history.settings
-
-    def gcode(self, force: bool = False) -> bytes:
-        """Return the G-code of what is marked now, once it is there; see `outputs.gcode`."""
-        return outputs.gcode(self._printed(), force)
-
-    def _tell(self, event: str, content: bytes) -> None:
-        with self._changed:
-            if event in _LASTING:
-                self._lasting[event] = content
-        self._tell_all(event, content)
-
-    def _notice(self, words: str) -> None:
-        """Say something about the model's file; nothing takes back what was said before."""
-        self._tell("notice", telling.words("notice", words))
-
-    def _tell_state(self, history: History) -> None:
-        self._tell("state", telling.state(self._revision, history))
-
-    def _saved(self, there: bool) -> None:
-        """Read the model again, or say that it went."""
-        if not there:
-            self._notice(f"{self._source.name} is gone; what is shown is what it was")
-            return
-        with self._changed:
-            self._stale = True
-            self._revision += 1
-            self._changed.notify_all()
-
-    def _work(self) -> None:
-        """Read and print whatever is the newest, until the session ends."""
-        while True:
-            with self._changed:
-                self._changed.wait_for(
-                    lambda: self._stale or self._done < self._revision or self._stopped
-                )
-                if self._stopped:
-                    return
-                stale, revision = self._stale, self._revision
-                self._stale = False
-            try:
-                if stale:
-                    self._read()
-                self._print(revision)
-            except _Superseded:
-                continue
-            except Exception as error:
-                # The window outlives a fault, and says so.
-                traceback.print_exc(file=sys.stderr)
-                self._failed(revision, f"unexpected {type(error).__name__}: a fault of wireprint")
-            self._finish(revision)
-
-    def _read(self) -> None:
-        # A file that is damaged, or gone, must not date the print of what it was.
-        date = self._source.dated()
-        try:
-            model = self._source.load()
-        except (WireprintError, OSError) as error:
-            self._notice(f"{error}" if self._mesh is None else f"{error}; the old one is shown")
-            return
-        mesh = model.mesh
-        told = telling.model(self._source.name, mesh)
-        with self._changed:
-            self._mesh, self._date = mesh, date
-            self._kept.clear()
-            if self._history is None:
-                self._history = History(partial(self._source.compose, model.settings), model.region)
-            self._notice("")
-            self._tell("model", told)
-            self._tell_state(self._history)
-
-    def _print(self, revision: int) -> None:
-        with self._changed:
-            if self._history is None or self._mesh is None:
-                return
-            mesh, state, settings = self._mesh, self._history.state, self._history.settings
-            if id(state) in self._kept:
-                self._show_kept(state)
-                return
-        try:
-            self._make(revision, mesh, state, settings)
-        except WireprintError as error:
-            self._failed(revision, str(error))
-
-    def _make(self, revision: int, mesh: Mesh, state: State, settings: Settings) -> None:
-        """Print a state, tell each part as soon as it is there, and keep all of it."""
-        from wireprint.window.printing import Printing
-
-        printing = Printing(
-            mesh,
-            settings,
-            state.region,
-            self._date,
-            self._stages(revision),
-            self._sketch_of(mesh, settings),
-        )
-        self._sketch = mesh, settings, printing.sketch
-        printed = Printed(state, printing.gcode, printing.refused, {})
-        for event, content in printing.events():
-            printed.told[event] = content
-            self._tell_print(revision, event, content)
-        self._keep(printed)
-        self._finish(revision)
-        printing.prepare()
-
-    def _stages(self, revision: int) -> Callable[[str], None]:
-        """Return what is called before each stage: it gives up, or says what takes so long."""
-        begin = time.monotonic()
-
-        def stage(name: str) -> None:
-            self._current(revision)
-            if time.monotonic() - begin > _SILENT_S:
-                self._tell("progress", telling.words("progress", name))
-
-        return stage
-
-    def _sketch_of(self, mesh: Mesh, settings: Settings) -> Sketch | None:
-        """Return what was kept of a print of the same mesh with the same settings."""
-        if self._sketch is None or self._sketch[0] is not mesh or self._sketch[1] is not settings:
-            return None
-        return self._sketch[2]
-
-    def _finish(self, revision: int) -> None:
-        with self._changed:
-            self._done = max(self._done, revision)
-            self._changed.notify_all()
-
-    def _tell_print(self, revision: int, event: str, content: bytes) -> None:
-        with self._changed:
-            self._current(revision)
-            self._lasting.pop("failed", None)
-            self._tell(event, content)
-            if event == "print":
-                self._tell("current", encoded({"event": "current", "revision": revision}))
-
-    def _current(self, revision: int) -> None:
-        """Give up what nobody waits for any more."""
-        if self._revision != revision:
-            raise _Superseded
-
-    def _keep(self, printed: Printed) -> None:
-        """Keep a print for undo and redo; the oldest ones make room."""
-        with self._changed:
-            # States live as long as they can be undone to, and so do their addresses.
-            self._kept[id(printed.state)] = printed
-            while len(self._kept) > 1 and sum(p.size for p in self._kept.values()) > _KEPT_BYTES:
-                self._kept.popitem(last=False)
-
-    def _failed(self, revision: int, words: str) -> None:
-        self._tell("failed", telling.words("failed", words, revision=revision))
+def _change(history: History, message: messages.Message) -> int | None:
+    """Do what a message asks; return the number of a mark that was added."""
+    match message:
+        case messages.AddMark():
+            return history.add(_mark(message.mark), message.name)
+        case messages.ChangeMark(number=number, mark=entry, name=name, on=on):
+            history.change(number, None if entry is None else _mark(entry), name, on)
+        case messages.MoveMark():
+            history.move(message.number, message.to)
+        case messages.DeleteMark():
+            history.delete(message.number)
+        case messages.Undo():
+            history.undo()
+        case messages.Redo():
+            history.redo()
+        case messages.Set():
+            history.set(message.key, message.value)
+        case messages.Profile():
+            _known("printers", message.printer)
+            _known("materials", message.material)
+            history.profile(message.printer, message.material)
+    return None
 
 
 def _known(kind: catalogue.Kind, name: str | None) -> None:

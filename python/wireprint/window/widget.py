@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import anywidget
 import traitlets
 
+from wireprint.window import outputs
 from wireprint.window.session import Session
 
 if TYPE_CHECKING:
@@ -43,12 +44,12 @@ class Widget(anywidget.AnyWidget):
     @property
     def region(self) -> Region:
         """What is marked now."""
-        return self._session.now()[0]
+        return self._session.workshop.now()[1].region
 
     @property
     def settings(self) -> Settings:
         """The settings as they are now."""
-        return self._session.now()[1]
+        return self._session.workshop.now()[2]
 
     def gcode(self, *, force: bool = False) -> bytes:
         """Return the G-code of what is marked now.
@@ -63,7 +64,7 @@ class Widget(anywidget.AnyWidget):
         UnprintableError
             There is none, or it is not to be printed as it is.
         """
-        return self._session.gcode(force)
+        return outputs.gcode(self._session.workshop.printed(), force)
 
     def close(self) -> None:
         """End the threads and the view."""

@@ -41,26 +41,33 @@ pub struct KindRow {
     pub name: &'static str,
     /// What follows `;TYPE:` in G-code; empty for moves that viewers know by themselves.
     pub type_word: &'static str,
+    /// The role of PrusaSlicer that comes nearest, as it writes it: its viewer knows no others.
+    pub prusa_word: &'static str,
 }
 
 /// All kinds, by their codes: the one table that names them.
 pub const KINDS: [KindRow; 12] = [
-    row(Kind::Travel, "travel", ""),
-    row(Kind::Contour, "contour", "CONTOUR"),
-    row(Kind::Post, "post", "POST"),
-    row(Kind::Diagonal, "diagonal", "DIAGONAL"),
-    row(Kind::Cap, "cap", "CAP"),
-    row(Kind::LayerWise, "layer-wise", "LAYER-WISE"),
-    row(Kind::Support, "support", "SUPPORT"),
-    row(Kind::Skirt, "skirt", "SKIRT"),
-    row(Kind::Brim, "brim", "BRIM"),
-    row(Kind::Retract, "retract", ""),
-    row(Kind::Unretract, "unretract", ""),
-    row(Kind::LayerFill, "layer-fill", "LAYER-FILL"),
+    row(Kind::Travel, "travel", "", ""),
+    row(Kind::Contour, "contour", "CONTOUR", "External perimeter"),
+    row(Kind::Post, "post", "POST", "Perimeter"),
+    row(Kind::Diagonal, "diagonal", "DIAGONAL", "Bridge infill"),
+    row(Kind::Cap, "cap", "CAP", "Top solid infill"),
+    row(Kind::LayerWise, "layer-wise", "LAYER-WISE", "Solid infill"),
+    row(Kind::Support, "support", "SUPPORT", "Support material"),
+    row(Kind::Skirt, "skirt", "SKIRT", "Skirt/Brim"),
+    row(Kind::Brim, "brim", "BRIM", "Skirt/Brim"),
+    row(Kind::Retract, "retract", "", ""),
+    row(Kind::Unretract, "unretract", "", ""),
+    row(Kind::LayerFill, "layer-fill", "LAYER-FILL", "Internal infill"),
 ];
 
-const fn row(kind: Kind, name: &'static str, type_word: &'static str) -> KindRow {
-    KindRow { kind, name, type_word }
+const fn row(
+    kind: Kind,
+    name: &'static str,
+    type_word: &'static str,
+    prusa_word: &'static str,
+) -> KindRow {
+    KindRow { kind, name, type_word, prusa_word }
 }
 
 impl Kind {

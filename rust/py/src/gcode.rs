@@ -13,13 +13,14 @@ use crate::toolpath::Toolpath;
 /// The lines of a toolpath's moves; every command that depends on the firmware comes as text.
 #[pyfunction]
 #[pyo3(signature = (
-    toolpath, *, relative_extrusion, dwell, air_on, air_off, layer, retract, unretract
+    toolpath, *, relative_extrusion, prusa_words, dwell, air_on, air_off, layer, retract, unretract
 ))]
 #[expect(clippy::too_many_arguments, reason = "one for each command, by keyword only")]
 pub fn format_moves<'py>(
     py: Python<'py>,
     toolpath: &Toolpath,
     relative_extrusion: bool,
+    prusa_words: bool,
     dwell: &str,
     air_on: String,
     air_off: String,
@@ -29,6 +30,7 @@ pub fn format_moves<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let dialect = Dialect {
         relative_extrusion,
+        prusa_words,
         dwell: Template::new(dwell, &Dialect::DWELL_FIELDS).map_err(to_py)?,
         air_on,
         air_off,

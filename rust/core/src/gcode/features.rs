@@ -1,4 +1,4 @@
-//! What comments say of the moves that follow: `;TYPE:` labels and layers.
+//! What comments say of the moves that follow: `;TYPE:` and `;KIND:` labels, and layers.
 
 use super::number::decimal;
 
@@ -31,7 +31,9 @@ impl Features {
 
     /// Reads a comment.
     pub(super) fn comment(&mut self, text: &[u8]) -> Remark {
-        if let Some(label) = text.strip_prefix(b"TYPE:") {
+        // Ours, where `TYPE` has the words that a slicer's viewer knows.
+        let label = text.strip_prefix(b"TYPE:").or_else(|| text.strip_prefix(b"KIND:"));
+        if let Some(label) = label {
             self.current = self.index_of(label);
         } else if text.starts_with(b"LAYER_CHANGE") || is_layer_number(text) {
             return Remark::Layer;

@@ -24,6 +24,8 @@ const USUAL_LINE: usize = 40;
 pub struct Dialect {
     /// Whether E counts from the last move (M83) or from the start (M82).
     pub relative_extrusion: bool,
+    /// Whether `;TYPE:` has PrusaSlicer's words; ours follow in a comment of their own.
+    pub prusa_words: bool,
     /// Waits; takes `{ms}`.
     pub dwell: Template,
     /// Switches the air on once all earlier moves are done.
@@ -171,12 +173,22 @@ impl<'a> Writer<'a> {
     }
 
     fn announce(&mut self, kind: Kind) {
-        let word = KINDS.get(kind as usize).map_or("", |row| row.type_word);
-        if !word.is_empty() && word != self.type_word {
-            self.out.extend_from_slice(b";TYPE:");
-            self.out.extend_from_slice(word.as_bytes());
-            self.out.push(b'\n');
-            self.type_word = word;
+        let Some(row) = KINDS.get(kind as usize) else { return };
+        if row.type_word.is_empty() || row.type_word == self.type_word {
+            return;
+        }
+        self.type_word = row.type_word;
+        if self.dialect.prusa_words {
+            self.comment("TYPE", row.prusa_word);
+            self.comment("KIND", row.type_word);
+        } else {
+            self.comment("TYPE", row.type_word);
+        }
+    }
+
+    fn comment(&mut self, key: &str, word: &str) {
+        for part in [";", key, ":", word, "\n"] {
+            self.out.extend_from_slice(part.as_bytes());
         }
     }
 
@@ -276,6 +288,18 @@ mod tests {
              ;TYPE:CONTOUR\nG1 X11.000 E1.60000\n;Z:5.350 5.000\n;TYPE:POST\nAIR ON\n\
              G1 Z5.350 E0.80000\nG4 P1000\nAIR OFF\nG1 E-4.00000\n";
         assert_eq!(text(&example(), &dialect()), expected);
+    }
+
+    #[test]
+    fn words_of_another_viewer_come_before_ours() {
+        let lines = text(&example(), &Dialect { prusa_words: true, ..dialect() });
+        let ours = text(&example(), &dialect());
+        assert!(lines.contains(";TYPE:External perimeter\n;KIND:CONTOUR\nG1"), "{lines}");
+        assert!(lines.contains(";TYPE:Perimeter\n;KIND:POST\n"), "{lines}");
+        let moves = |text: &str| {
+            text.lines().filter(|line| !line.starts_with(';')).collect::<Vec<_>>().join("\n")
+        };
+        assert_eq!(moves(&lines), moves(&ours));
     }
 
     #[test]

@@ -1,0 +1,101 @@
+"""A window's use over hours, in minutes: strokes, undo, printers, settings, files saved anew."""
+
+import gc
+import os
+import random
+import time
+from pathlib import Path
+
+from studio_strokes import flank
+
+from wireprint import examples
+
+#: Printers and materials that are taken in turns.
+_PROFILES = (("kossel-mini", "abs"), ("voron-2.4", "pla"), ("prusa-mk4s", "petg"))
+#: What is done, and how often beside the others.
+_DEEDS = {
+    "paint": 8,
+    "shape": 2,
+    "undo": 5,
+    "redo": 2,
+    "delete": 2,
+    "set": 1,
+    "profile": 1,
+    "save": 1,
+}
+#: Deeds at the beginning that are not compared: caches fill.
+WARMING = 12
+#: What it may grow by after that, MB.
+MOST_MB = 50.0
+
+
+def resident_mb():
+    """Return the memory that this process holds, MB."""
+    gc.collect()
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+class Use:
+    """Random deeds in a window on a cube, each awaited."""
+
+    def __init__(self, talk, model, seed):
+        self.talk, self.model, self.random = talk, model, random.Random(seed)
+        #: Seconds that each deed took, strokes alone.
+        self.strokes_s = []
+
+    def deed(self):
+        """Do something, and wait for its print."""
+        kinds = list(_DEEDS)
+        name = self.random.choices(kinds, [_DEEDS[kind] for kind in kinds])[0]
+        getattr(self, f"_{name}")()
+        # A page is told events and forgets them.
+        del self.talk.told[:-40]
+
+    def _marked(self):
+        return [item["number"] for item in self.talk.wait("state")[0]["items"]]
+
+    def _paint(self):
+        shape = flank(self.random.uniform(6, 22), self.random.uniform(2, 5))
+        mark = {"shape": shape, "erase": self.random.random() < 0.2}
+        begin = time.perf_counter()
+        self.talk.edit("mark", mark=mark)
+        self.strokes_s.append(time.perf_counter() - begin)
+        # Not more than a user would keep.
+        if len(self._marked()) > 6:
+            self._delete()
+
+    def _shape(self):
+        low = self.random.uniform(2, 18)
+        self.talk.edit("mark", mark={"shape": {"kind": "z", "low_mm": low, "high_mm": low + 5}})
+
+    def _undo(self):
+        if self.talk.wait("state")[0]["can_undo"]:
+            self.talk.edit("undo")
+
+    def _redo(self):
+        if self.talk.wait("state")[0]["can_redo"]:
+            self.talk.edit("redo")
+
+    def _delete(self):
+        for number in self._marked()[:1]:
+            self.talk.edit("delete", number=number)
+
+    def _set(self):
+        now = self.talk.wait("state")[0]["settings"]["wire.skirt_rings"]
+        self.talk.edit("set", key="wire.skirt_rings", value=(now + 1) % 4)
+
+    def _profile(self):
+        now = self.talk.wait("state")[0]["printer"]
+        printer, material = self.random.choice([one for one in _PROFILES if one[0] != now])
+        self.talk.edit("profile", printer=printer, material=material)
+
+    def _save(self):
+        """Save the model anew, of another size."""
+        name = self.random.choice(("cube", "sphere"))
+        self.model.write_bytes(examples.stl(name))
+        state, _ = self.talk.wait("state")
+        revision = state["revision"]
+        # The same bytes within one tick of the clock are no change.
+        os.utime(self.model, ns=(time.time_ns(), time.time_ns()))
+        self.talk.wait("current", lambda one: one["revision"] > revision)
