@@ -70,7 +70,7 @@ def test_a_profile_may_be_a_file_of_the_users(tmp_path):
     ("name", "message"),
     [
         ("kossel", "did you mean kossel-mini"),
-        ("xyz", "there are kossel-mini, printrbot-simple"),
+        ("xyz", "there are anycubic-kobra-2, anycubic-kossel"),
         ("none.toml", r"none\.toml: no such file"),
     ],
 )

@@ -19,7 +19,7 @@ _KINDS: Final = ("printer", "filament")
 _MOST_ELDERS: Final = 40
 _MOST_SHOWN: Final = 8
 _SECTION: Final = re.compile(r"\[([^\]]*)\]\s*$")
-_ENTRY: Final = re.compile(r"([\w.]+)\s*=\s?(.*)")
+_ENTRY: Final = re.compile(r"\s*([\w.]+)\s*=\s?(.*)")
 
 
 @dataclass

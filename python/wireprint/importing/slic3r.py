@@ -54,7 +54,8 @@ _PER_AXIS: Final = {
 }
 #: What is said of printers with two motors to both axes, or how such ones are called.
 _COREXY: Final = re.compile(
-    r"core[ _-]?(?:xy|one)|voron[ _]?(?:v?[02]|trident)|rat[ _]?rig|\b(?:p1[ps]|x1|k1|xl)\b",
+    r"core[ _-]?(?:xy|one)|voron[ _]?(?:v?[02]|trident)|rat[ _]?rig|bambu lab (?:p1|x1)|creality k1"
+    r"|prusa xl|^xl",
     re.IGNORECASE,
 )
 _POINT: Final = re.compile(

@@ -1,0 +1,181 @@
+"""Each printer of the package: what it prints, what its firmware is told, what it shows."""
+
+import base64
+import io
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+import trimesh
+from PIL import Image
+
+import wireprint
+from wireprint import Settings, catalogue, examples, limits
+from wireprint.certificate import check
+
+PRINTERS = catalogue.names("printers")
+#: What the firmwares document: marlinfw.org/docs/gcode, help.prusa3d.com (G80, R of M109),
+#: docs.duet3d.com, Repetier.ino, klipper3d.org/G-Codes.html; as far as a print needs it.
+COMMON = {"G0", "G1", "G4", "G21", "G28", "G90", "G91", "G92", "M73", "M82", "M83", "M84", "M104"}
+COMMON |= {"M106", "M107", "M109", "M140", "M190", "M400"}
+DOCUMENTED = {
+    "marlin": COMMON | {"G29", "G80", "M42", "M201", "M204", "M900"},
+    "reprapfirmware": COMMON | {"G29", "M42", "M201", "M572"},
+    "repetier": COMMON | {"M42", "M201", "M202"},
+    "klipper": (COMMON - {"G29"}) | {"SET_PRESSURE_ADVANCE", "SET_VELOCITY_LIMIT", "SET_PIN"},
+}
+#: Macros that the makers' own configurations bring.
+MACROS = {"PRINT_START", "PRINT_END", "START_PRINT"}
+
+
+def mug_like():
+    """A cup with a wall of 3 mm and a floor, open at its top."""
+    outline = [[0, 0], [24, 0], [26, 45], [23, 45], [21, 3], [0, 3]]
+    solid = trimesh.creation.revolve(np.array(outline, float), sections=48)
+    solid.apply_translation(-solid.bounds.mean(axis=0) * [1, 1, 0])
+    return wireprint.Mesh.from_arrays(np.asarray(solid.vertices), np.asarray(solid.faces))
+
+
+@pytest.fixture(scope="module")
+def models(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("models")
+    found = {"mug": mug_like()}
+    for name, height_mm in (("cube", 28), ("bottle", 100)):
+        (folder / f"{name}.stl").write_bytes(examples.stl(name))
+        found[name] = wireprint.load_mesh(folder / f"{name}.stl", height_mm=height_mm)
+    return found
+
+
+@cache
+def settings_of(printer, nozzle_mm=None):
+    return Settings.load(printer, "pla", nozzle_mm=nozzle_mm)
+
+
+@pytest.fixture(scope="module")
+def cubes(models):
+    """The cube's G-code on each printer."""
+
+    @cache
+    def made(printer):
+        return wireprint.make(models["cube"], settings_of(printer), compare=False).gcode.decode()
+
+    return made
+
+
+def test_two_dozen_printers_are_there():
+    assert len(PRINTERS) >= 24
+    family = {name.partition("-")[0] for name in PRINTERS}
+    assert family >= {
+        "prusa",
+        "bambu",
+        "voron",
+        "ender",
+        "creality",
+        "anycubic",
+        "neptune",
+        "flsun",
+    }
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+@pytest.mark.parametrize("name", ["cube", "bottle", "mug"])
+def test_each_printer_prints_the_usual_things_certified_and_whole(models, printer, name):
+    settings = settings_of(printer).but(overrides=["gcode.thumbnails=[]"])
+    made = wireprint.make(models[name], settings, compare=False)
+    assert made.certificate.ok
+    # Judged once more by its name alone, as a stranger's file would be.
+    assert check(made.gcode, printer).ok
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+@pytest.mark.parametrize("nozzle_mm", [0.4, 0.6, 0.8])
+def test_each_printer_prints_with_each_usual_nozzle(models, printer, nozzle_mm):
+    settings = settings_of(printer, nozzle_mm).but(overrides=["gcode.thumbnails=[]"])
+    made = wireprint.make(models["cube"], settings, compare=False)
+    assert made.certificate.ok
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_its_firmware_documents_every_command(cubes, printer):
+    settings = settings_of(printer)
+    words = set()
+    for line in cubes(printer).splitlines():
+        code = line.partition(";")[0].strip()
+        if code:
+            words.add(re.match(r"[GM]\d+|[A-Z_]+", code)[0])
+    flavor = settings.printer.gcode.flavor
+    assert words - DOCUMENTED[flavor] - (MACROS if flavor == "klipper" else set()) == set()
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_no_move_asks_for_more_than_the_machine_has(cubes, printer):
+    motion = settings_of(printer).printer.motion
+    feeds = [
+        float(found) for found in re.findall(r"^G[01] .*F([\d.]+)", cubes(printer), re.MULTILINE)
+    ]
+    assert max(feeds) / 60 <= max(motion.max_velocity, motion.max_extrude_only_velocity)
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_it_heats_homes_and_cools(cubes, printer):
+    text = cubes(printer)
+    start, _, rest = text.partition(";LAYER_CHANGE")
+    assert re.search(r"^G28|^(PRINT_START|START_PRINT)", start, re.MULTILINE)
+    assert re.search(r"^M109 (T0 )?S215", start, re.MULTILINE)
+    end = rest[rest.rindex(";TYPE:") :]
+    assert re.search(r"^M104 S0", end, re.MULTILINE) or "PRINT_END" in end
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_its_pictures_are_found_as_its_firmware_looks_for_them(cubes, printer):
+    sizes = settings_of(printer).printer.gcode.thumbnails
+    text = cubes(printer)
+    pattern = r"; thumbnail(|_QOI) begin (\d+)x(\d+) (\d+)\n((?:; \S+\n)+); thumbnail\1 end\n"
+    found = re.findall(pattern, text)
+    assert [(int(w), int(h), *([form[1:]] if form else [])) for form, w, h, _, _ in found] == [
+        tuple(size) for size in sizes
+    ]
+    for form, width, height, length, rows in found:
+        code = rows.replace("; ", "").replace("\n", "")
+        assert len(code) == int(length)
+        image = Image.open(io.BytesIO(base64.b64decode(code, validate=True)))
+        assert (image.format, image.size) == (form[1:] or "PNG", (int(width), int(height)))
+        assert image.convert("RGBA").getextrema()[3][1] > 0
+
+
+def test_the_makers_names_lead_to_their_printers():
+    from wireprint.gcode.origin import known_printer
+
+    said = {
+        "Original Prusa MINI & MINI+ Input Shaper": "prusa-mini",
+        "MK4": "prusa-mk4",
+        "Bambu Lab A1 mini": "bambu-a1-mini",
+        "ENDER3V2": "ender-3-v2",
+        "Voron 0.1": "voron-0",
+        "Creality K1": "creality-k1",
+        "FLSun QQS Pro": "flsun-qqs",
+    }
+    for written, profile in said.items():
+        assert known_printer(f"; printer_model = {written}\n".encode())[0] == profile
+
+
+def test_no_two_printers_claim_the_same_name():
+    claimed = [
+        re.sub(r"[^a-z0-9]", "", name.lower())
+        for printer in PRINTERS
+        for name in {printer, *settings_of(printer).printer.known_as}
+    ]
+    twice = {name for name in claimed if claimed.count(name) > 1}
+    own = {re.sub(r"[^a-z0-9]", "", printer) for printer in PRINTERS}
+    assert twice <= own
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_klippers_limits_and_marlins_agree(printer):
+    settings = settings_of(printer)
+    motion = settings.printer.motion
+    if limits.firmware_of(settings.printer) != "klipper" and motion.marlin is not None:
+        assert motion.marlin.max_velocity[0] == motion.max_velocity
+        assert motion.marlin.max_velocity[2] == motion.max_z_velocity
+        assert motion.marlin.max_velocity[3] == motion.max_extrude_only_velocity
