@@ -6,9 +6,10 @@ from functools import cache
 from pathlib import Path
 
 import wireprint
-from wireprint import Settings, catalogue, examples
+from wireprint import Settings, examples
 
-PRINTERS = catalogue.names("printers")
+#: One of each kind of machine and firmware.
+PRINTERS = ["kossel-mini", "printrbot-simple", "prusa-mk4s", "voron-2.4"]
 LABEL = re.compile(r";TYPE:(\w+)")
 
 

@@ -51,7 +51,7 @@ def test_a_bed_of_another_shape_takes_no_sizes_over(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('\ninherits = "prusa-mk4"\n', r"mine\.toml:2: inherits: .*did you mean prusa-mk4s"),
+        ('\ninherits = "prusa-mk4z"\n', r"mine\.toml:2: inherits: .*did you mean prusa-mk4"),
         ('inherits = "mine.toml"\n', r"mine\.toml:1: inherits: a circle: mine\.toml → mine\.toml"),
         ('inherits = "other.toml"\n', r"mine\.toml:1: inherits: .*other\.toml: no such file"),
         ("inherits = 3\n", r"mine\.toml:1: inherits: 3 is no name"),

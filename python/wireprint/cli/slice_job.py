@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wireprint._core import ModelError, SettingError, UnprintableError
 from wireprint.streams import is_stream
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from wireprint._core import Mesh
     from wireprint.cli.marks import Marks
     from wireprint.cli.options import Chosen
     from wireprint.cli.progress import Progress
     from wireprint.files import Output
+    from wireprint.hosts import Host
     from wireprint.pipeline import Clock
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -35,6 +35,14 @@ class Sliced:
             target.write(self.gcode)
         figures = dict(self.figures)
         return {"model": figures.pop("model"), "output": str(target), **figures}
+
+    def sent(self, host: Host, target: Output, *, start: bool) -> dict[str, Any]:
+        """Send the file to a host; return where it is, and whether it is printed."""
+        from wireprint.hosts.sending import send
+
+        name = Path(self.figures["model"]).stem if target.path is None else target.path.name
+        with self.clock.stage("send"):
+            return asdict(send(host, name, self.gcode, start=start))
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from wireprint.threads import workers
 if TYPE_CHECKING:
     from wireprint.cli.slice_job import Sliced
     from wireprint.files import Output
+    from wireprint.hosts import Host
 
 
 @click.command()
@@ -56,6 +57,8 @@ if TYPE_CHECKING:
     is_flag=True,
     help="Tell what strands would do when they are hot and heavy, as wireprint simulate does.",
 )
+@click.option("--send", metavar="NAME", help="Host of yours to send the file to, certified.")
+@click.option("--start", is_flag=True, help="Print at once what is sent.")
 @click.option("-q", "--quiet", is_flag=True, help="Print nothing but errors.")
 @click.pass_context
 def slice_models(
@@ -67,6 +70,8 @@ def slice_models(
     force: bool,
     weak: bool,
     forecast: bool,
+    send: str | None,
+    start: bool,
     quiet: bool,
     orient: bool,
     **options: Any,
@@ -83,6 +88,7 @@ def slice_models(
     (wire.coverage_min), is refused.
     """
     chosen, marks = chosen_from(options), marks_from(options, models)
+    host = _host(send, start, models)
     targets = _targets(models, output, [*models, *chosen.files, *marks.files])
     job = Job(
         chosen,
@@ -96,6 +102,7 @@ def slice_models(
         orient=orient,
     )
     told = Told(models, as_json=as_json, quiet=quiet, to_stderr=output == STREAM)
+    told.host, told.start = host, start
     with Progress(len(models)) as progress:
         calls = [partial(job.run, model, progress) for model in models]
         for place, found in as_they_finish(calls, workers()):
@@ -116,6 +123,9 @@ class Told:
     as_json: bool
     quiet: bool
     to_stderr: bool
+    #: Where files are sent, once they are written, and whether they are printed at once.
+    host: Host | None = None
+    start: bool = False
     exit_code: int = 0
     _figures: dict[int, dict[str, Any]] = field(default_factory=dict)
 
@@ -125,6 +135,8 @@ class Told:
             if isinstance(found, BaseException):
                 raise found
             figures = found.written(target)
+            if self.host is not None:
+                figures["sent"] = found.sent(self.host, target, start=self.start)
         except (WireprintError, OSError) as error:
             if len(self.models) == 1:
                 raise
@@ -147,6 +159,19 @@ class Told:
         if self.as_json:
             every = [self._figures[place] for place in sorted(self._figures)]
             say_json(every[0] if len(self.models) == 1 else {"models": every}, err=self.to_stderr)
+
+
+def _host(send: str | None, start: bool, models: tuple[Path, ...]) -> Host | None:
+    """Return where to send to; what is wrong with it is told before anything is sliced."""
+    if send is None:
+        if start:
+            raise click.UsageError("--start prints what --send NAME sends")
+        return None
+    if start and len(models) > 1:
+        raise click.UsageError("--start prints one model")
+    from wireprint import hosts
+
+    return hosts.find(send)
 
 
 def _targets(models: tuple[Path, ...], output: str, inputs: list[Path]) -> list[Output]:
