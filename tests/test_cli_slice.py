@@ -25,6 +25,7 @@ KEYS = {
     "posts": int,
     "strand_mm": float,
     "travel_mm": float,
+    "strand": dict,
     "pauses": int,
     "pause_s": float,
     "filament_mm": float,

@@ -13,6 +13,7 @@ from wireprint.certificate import check
 from wireprint.files import written_whole
 from wireprint.fitting import fitted, placed
 from wireprint.gcode import document
+from wireprint.slimness import strand_of
 from wireprint.stages import toolpath, wireframe
 from wireprint.timing import Filament
 from wireprint.wholeness import is_whole, refusal
@@ -106,6 +107,7 @@ class WirePrint:
             "posts": self.wireframe.post_count,
             "strand_mm": moves["strand_mm"],
             "travel_mm": moves["travel_mm"],
+            "strand": strand_of(self.settings),
             "brim_rings": self.toolpath.brim_rings,
             "pauses": moves["pauses"],
             "pause_s": moves["pause_s"],

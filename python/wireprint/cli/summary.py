@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from wireprint import slimness
 from wireprint.timing import clock
 from wireprint.weakness import Weak
 from wireprint.wholeness import told
@@ -33,6 +34,8 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
     if figures["brim_rings"]:
         yield _row("brim", f"{figures['brim_rings']} rings about the foot")
     yield _row("strand", f"{figures['strand_mm'] / 1000:.2f} m")
+    if slim := slimness.told(figures["strand"]):
+        yield _row("slim", slim)
     yield _row("travel", f"{figures['travel_mm'] / 1000:.2f} m")
     yield _row("filament", f"{figures['filament_mm']:.0f} mm, {figures['filament_g']:.1f} g")
     yield _row(
