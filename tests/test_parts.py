@@ -2,9 +2,14 @@
 
 import numpy as np
 import pytest
+from shapely import affinity
 
 import part_rules
 import random_parts
+import random_solids
+from layered_solids import Body
+from random_parts import Part, disc, rectangle
+from random_solids import Solid, block, lathed
 from wireprint import Settings
 
 MACHINES = (
@@ -16,6 +21,33 @@ MACHINES = (
 #: Parts that fit the smallest of these printers' beds, turned as they are.
 FITS_MM = 110.0
 PARTS = [part for part in map(random_parts.part, range(80)) if np.ptp(part.mesh()[0]) < FITS_MM]
+#: The same of round, slanted and thin shapes.
+SOLIDS = [
+    solid for solid in map(random_solids.solid, range(60)) if np.ptp(solid.mesh()[0]) < FITS_MM
+]
+
+
+def bored(diameter_mm):
+    """A block with a bore that lies, and one that ends inside."""
+    body = Body().add(rectangle(50, 40), 0, 36).cut(disc(diameter_mm), 0, 36)
+    return Part(0, "bored", (body.cut(affinity.translate(disc(8), 18), 0, 20),), 1, 20.0)
+
+
+def shelf():
+    """Three wide shelves above each other around a slender tower."""
+    body = Body().add(rectangle(12, 12), 0, 60)
+    for low in (15, 35, 55):
+        body.add(rectangle(90, 70), low, low + 1.5)
+    return Part(0, "shelf", (body,), 0, 0.0)
+
+
+def top():
+    """A spinning top: its roof is wider than a span, and all below it leans."""
+    outline = (0.0, 0.0), (8.0, 0.0), (55.0, 50.0), (50.0, 60.0), (0.0, 60.0)
+    return Solid(0, "top", (lathed(*outline), block(10.0, 10.0, 8.0)))
+
+
+NAMED = {"bored 8": bored(8), "bored 24": bored(24), "shelf": shelf(), "top": top()}
 
 
 @pytest.fixture(scope="module")
@@ -32,3 +64,15 @@ def test_the_sample_has_parts_of_most_kinds():
 def test_a_part_is_whole_and_certified(part, settings):
     machine = MACHINES[part.seed % len(MACHINES)]
     assert part_rules.shortcomings(part, settings[machine]) == []
+
+
+@pytest.mark.parametrize("solid", SOLIDS, ids=lambda solid: f"{solid.kind}-{solid.seed}")
+def test_a_solid_is_whole_and_certified(solid, settings):
+    machine = MACHINES[solid.seed % len(MACHINES)]
+    assert part_rules.shortcomings(solid, settings[machine]) == []
+
+
+@pytest.mark.parametrize("machine", MACHINES, ids=lambda machine: machine[0])
+@pytest.mark.parametrize("name", NAMED)
+def test_what_lies_leans_or_hangs_high_is_whole(name, machine, settings):
+    assert part_rules.shortcomings(NAMED[name], settings[machine]) == []

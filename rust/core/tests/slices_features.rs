@@ -5,6 +5,7 @@ mod solids;
 use glam::{DMat3, DVec3};
 use solids::{Random, cuboid, moved, revolved, sphere, together, torus};
 use wireprint_core::mesh::Mesh;
+use wireprint_core::slices::crests::crests;
 use wireprint_core::slices::features::{Feature, FeatureKind, features};
 
 /// A feature without its width, so that lists can be compared.
@@ -128,4 +129,36 @@ fn flats_have_the_area_of_their_faces_and_the_width_of_their_shape() {
 fn a_flat_smaller_than_asked_for_is_none() {
     let mesh = cuboid(DVec3::ZERO, DVec3::new(3.0, 3.0, 20.0));
     assert_eq!((flats(&mesh, 2.9).len(), flats(&mesh, 3.1).len()), (2, 0));
+}
+
+/// A bar along x whose section is seen whole from its first corner.
+fn bar(width: f64, section: &[(f64, f64)]) -> Mesh {
+    let count = section.len() as u32;
+    let corners = section.iter().flat_map(|&(y, z)| [0.0, width].map(|x| DVec3::new(x, y, z)));
+    let mut faces = Vec::new();
+    for i in 0..count {
+        let (a, b) = (2 * i, 2 * ((i + 1) % count));
+        faces.extend([[a, b + 1, a + 1], [a, b, b + 1]]);
+    }
+    for i in 1..count - 1 {
+        faces.extend([[0, 2 * i + 2, 2 * i], [1, 2 * i + 1, 2 * i + 3]]);
+    }
+    Mesh::new(corners.collect(), faces)
+}
+
+#[test]
+fn crests_are_level_lines_along_which_the_surface_turns() {
+    let found = |section: &[(f64, f64)], least| -> Vec<(f64, bool, f64)> {
+        let mesh = bar(7.0, section);
+        assert!(mesh.volume().abs() > 1.0);
+        crests(&mesh, least).iter().map(|c| (c.z, c.falls, c.length(|_| true))).collect()
+    };
+    // A keel and a ridge; a valley above and a crown below; walls that are steep; a level top.
+    let diamond = [(0.0, 0.0), (4.0, 1.0), (0.0, 2.0), (-4.0, 1.0)];
+    assert_eq!(found(&diamond, 1.0), [(0.0, false, 7.0), (2.0, true, 7.0)]);
+    assert_eq!(found(&diamond, 7.1), []);
+    let grooved = [(0.0, 1.0), (-6.0, 3.0), (-6.0, -3.0), (0.0, -1.0), (6.0, -3.0), (6.0, 3.0)];
+    assert_eq!(found(&grooved, 1.0), [(-1.0, true, 7.0), (1.0, false, 7.0)]);
+    assert_eq!(found(&[(0.0, 0.0), (1.0, 4.0), (0.0, 8.0), (-1.0, 4.0)], 1.0), []);
+    assert_eq!(found(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)], 1.0), []);
 }

@@ -12,43 +12,26 @@ mod wanted;
 
 use rayon::prelude::*;
 
+pub use super::level::Level;
 pub use params::HeightParams;
 
 use self::costs::Costs;
 use self::outline::Outline;
 use self::wanted::{Wanted, wanted_heights};
+use super::bare_crests::Crests;
 use super::cut::cut_map;
 use super::headroom::{Headroom, extent_of};
 use super::plane::{Plane, Side};
 use super::profile::Profile;
-use super::tuning::{MOST_CANDIDATES, REACH, SAME, STEP};
+use super::tuning::{MOST_CANDIDATES, REACH, SAME, STEP, WIDE};
 use crate::head::Head;
 use crate::mesh::Mesh;
 use crate::stroke::Strokes;
 
-/// A height at which contours are printed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Level {
-    /// Printed height, mm.
-    pub z: f64,
-    /// The contours that end the slab below are cut here, from below.
-    pub low: f64,
-    /// The contours that begin the slab above are cut here, from above.
-    pub high: f64,
-    /// Between any two features that the level holds, ascending, mm: what is printed here is a stack
-    /// of slices. The first of the lowest level is what lies on the bed.
-    pub between: Vec<f64>,
-}
-
-impl Level {
-    /// A level that holds nothing but its own height.
-    fn at(z: f64) -> Self {
-        Self { z, low: z, high: z, between: Vec::new() }
-    }
-}
-
 /// Costs of the slabs below this many candidates are worth a thread of their own.
 const FEW: usize = 32;
+/// Heights are chosen so many times more for crests that would be bare.
+const ROUNDS: usize = 3;
 
 /// Chooses the levels of `mesh`, bottom up.
 ///
@@ -60,15 +43,29 @@ pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Lev
     let Some((bottom, top)) = extent(mesh) else { return Vec::new() };
     let tallest = Strokes::new(head, params.strand).tallest(params.slab_max);
     let params = &HeightParams { slab_max: tallest.max(params.slab_min), ..*params };
-    let wanted = wanted_heights(mesh, bottom, top, params);
+    let mut wanted = wanted_heights(mesh, bottom, top, params);
     let first = bottom + params.first_layer.min((top - bottom) * 0.5);
     let last = wanted.iter().map(|w| w.low).fold(first, f64::max);
-    let candidates = candidates(&wanted, first, last, params);
-    let chain = cheapest_chain(mesh, head, params, &candidates, &wanted);
-    let mut levels: Vec<Level> = chain.into_iter().map(Level::at).collect();
-    // A model lower than a slab is its first contour, wherever the features above it lie.
-    if levels.len() > 1 {
-        widen(&mut levels, &wanted, bottom, REACH * params.slab_min);
+    let chosen = |wanted: &[Wanted]| {
+        let candidates = candidates(wanted, first, last, params);
+        let chain = cheapest_chain(mesh, head, params, &candidates, wanted);
+        let mut levels: Vec<Level> = chain.into_iter().map(Level::at).collect();
+        // A model lower than a slab is its first contour, wherever the features above it lie.
+        if levels.len() > 1 {
+            widen(&mut levels, wanted, bottom, REACH * params.slab_min);
+        }
+        levels
+    };
+    let mut levels = chosen(&wanted);
+    let mut crests = Crests::new(mesh, (first, last), params.strand, WIDE * params.free_end);
+    for _ in 0..ROUNDS {
+        let bare = crests.take_bare(mesh, &levels);
+        if bare.is_empty() {
+            break;
+        }
+        wanted.extend(bare.into_iter().map(|(low, high)| Wanted::crest(low, high)));
+        wanted.sort_by(|a, b| a.low.total_cmp(&b.low));
+        levels = chosen(&wanted);
     }
     levels
 }

@@ -1,9 +1,12 @@
 //! Stage 2, slices: where to cut, and the cut itself.
 
+mod bare_crests;
+pub mod crests;
 mod cut;
 pub mod features;
 mod headroom;
 pub mod heights;
+mod level;
 mod outlines;
 mod plane;
 mod profile;

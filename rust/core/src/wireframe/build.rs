@@ -20,8 +20,11 @@ use crate::wireframe::regions::layered::Layered;
 /// Fewer slabs than one in so many are not worth looking for other orders.
 const FEW: usize = 4;
 
-/// Supports are added in no more than so many passes: one stands on what the last one made room for.
-const PASSES: usize = 4;
+/// Supports are added in no more than so many passes: one stands on what the last one made room for,
+/// floor by floor …
+const PASSES: usize = 16;
+/// … and in no more than so many that leave out as much as the one before.
+const VAIN: usize = 2;
 
 /// What a pass goes by.
 #[derive(Clone, Copy)]
@@ -91,6 +94,7 @@ struct Settled {
 fn settled(sliced: &Sliced, plan: &Plan, guides: [&Guide; 2]) -> Settled {
     let mut last = lay(sliced, plan, guides[0], plan.p.supports);
     let (mut propped, mut first) = (None, None);
+    let mut vain = 0;
     for left in (0..PASSES).rev() {
         if !plan.p.supports {
             last.entries.columns.clear();
@@ -103,7 +107,9 @@ fn settled(sliced: &Sliced, plan: &Plan, guides: [&Guide; 2]) -> Settled {
             let Entries { columns, roofs, .. } = &last.entries;
             columns::add(slices, columns, roofs, plan.head, plan.p)
         };
-        let laid = lay(slices, plan, guides[1], plan.p.supports && added && left > 0);
+        let goes_on = plan.p.supports && added && left > 0 && vain < VAIN;
+        let laid = lay(slices, plan, guides[1], goes_on);
+        vain += usize::from(laid.entries.left_out() >= last.entries.left_out());
         first.get_or_insert(std::mem::replace(&mut last, laid));
         if !added || last.entries.unprinted.is_empty() {
             break;

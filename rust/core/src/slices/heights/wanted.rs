@@ -22,6 +22,13 @@ pub struct Wanted {
     pub ends: bool,
 }
 
+impl Wanted {
+    /// A level crest beside which the surface would be bare, with what is cut beside it.
+    pub fn crest(low: f64, high: f64) -> Self {
+        Self { low, high, size: 0.0, wide: true, begins: false, ends: false }
+    }
+}
+
 /// The features above the first contour, and the faces above the bed.
 ///
 /// A round top or bottom has no contour at its very height, so it is cut half a strand inside, where

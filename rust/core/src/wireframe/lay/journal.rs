@@ -47,6 +47,12 @@ pub struct Mark {
 }
 
 impl Entries {
+    /// Area of what is not printed, mm².
+    #[must_use]
+    pub fn left_out(&self) -> f64 {
+        self.unprinted.iter().map(|part| part.area).sum()
+    }
+
     fn mark(&self) -> Mark {
         Mark {
             strands: self.strands.len(),

@@ -27,7 +27,7 @@ pub struct Cost {
 #[must_use]
 pub fn cost(from: Option<DVec3>, entries: &Entries, strand: f64, times: &Times) -> Cost {
     let strands = &entries.strands;
-    let area: f64 = entries.unprinted.iter().map(|part| part.area).sum();
+    let area = entries.left_out();
     let ends = from.into_iter().chain(strands.iter().map(|s| s.to));
     let begins = strands.iter().skip(usize::from(from.is_none())).map(|s| s.from);
     let gaps = ends.zip(begins).map(|(end, begin)| end.distance(begin));

@@ -57,7 +57,7 @@ pub enum Foot {
         /// The number of the slice.
         step: usize,
     },
-    /// On the surface that passes below a level.
+    /// At a level, on the surface that passes below it, or hung on walls that stand near.
     Slope {
         /// The level.
         level: usize,
@@ -119,7 +119,16 @@ struct Site<'a> {
     slices: Vec<Slice<'a>>,
     radius: f64,
     serves: f64,
+    /// Walls within this reach carry what begins beside them, mm.
+    hold: f64,
     bounds: Bounds,
+}
+
+/// The way down from where a column is wanted.
+struct Fall {
+    foot: Foot,
+    /// How far the column's middle keeps from walls on the way, mm.
+    room: f64,
 }
 
 struct Slice<'a> {
@@ -146,7 +155,8 @@ impl<'a> Site<'a> {
             add(Some(sliced.sheets[level].len()), &sliced.upper[level]);
         }
         let bounds = Bounds::of(sliced, radius);
-        Self { sliced, slices, radius, serves: SERVES * p.span_limit, bounds }
+        let serves = SERVES * p.span_limit;
+        Self { sliced, slices, radius, serves, hold: p.free_end_limit, bounds }
     }
 
     /// The columns to be built. Needs that another one serves as well are left out, and those that
@@ -191,8 +201,22 @@ impl<'a> Site<'a> {
         })
     }
 
-    /// The nearest place with room for a column that serves a need.
+    /// The nearest place with room for a column that serves a need, down to something; else one that
+    /// begins beside a wall.
     fn place(&self, need: &Need, found: &[Planned]) -> Option<Planned> {
+        let to_something = |place| self.fall(place, need);
+        let from_a_wall = |place| self.hung(place, need);
+        self.nearest(need, found, to_something)
+            .or_else(|| need.urgent.then(|| self.nearest(need, found, from_a_wall)).flatten())
+    }
+
+    /// The nearest place with room, by a way down.
+    fn nearest(
+        &self,
+        need: &Need,
+        found: &[Planned],
+        way: impl Fn(DVec2) -> Option<Fall>,
+    ) -> Option<Planned> {
         let turn = std::f64::consts::TAU / AROUND as f64;
         let ring = |k: usize| {
             let reach = self.radius * k as f64;
@@ -202,7 +226,7 @@ impl<'a> Site<'a> {
         let mut best: Option<(f64, Planned)> = None;
         for place in (0..=RINGS).flat_map(ring) {
             let place = self.bounds.draw_in(place);
-            let Some((foot, room)) = self.fall(place, need) else { continue };
+            let Some(Fall { foot, room }) = way(place) else { continue };
             let first = match foot {
                 Foot::Bed | Foot::Column { .. } => 0,
                 Foot::Face { level, .. } | Foot::Slope { level } => level,
@@ -221,10 +245,9 @@ impl<'a> Site<'a> {
         best.map(|(_, planned)| planned)
     }
 
-    /// Where a column under a place at a level begins, and how far its middle keeps from walls on the
-    /// way, mm: down to the bed, or to the first surface that is crossed. None where there is no way,
-    /// and within the model for what can do without.
-    fn fall(&self, place: DVec2, need: &Need) -> Option<(Foot, f64)> {
+    /// The way down from a place at a level to the bed, or to the first surface that is crossed. None
+    /// where there is none, and within the model for what can do without.
+    fn fall(&self, place: DVec2, need: &Need) -> Option<Fall> {
         let top = self.slices.iter().rposition(|slice| slice.level < need.level)?;
         let inside = self.slices[top].outline.holds(place);
         if inside && !need.urgent {
@@ -242,11 +265,34 @@ impl<'a> Site<'a> {
                     }
                     _ => Foot::Slope { level: above.level },
                 };
-                return Some((foot, room));
+                return Some(Fall { foot, room });
             }
             room = room.min(slice.outline.distance(place));
         }
-        Some((Foot::Bed, room))
+        Some(Fall { foot: Foot::Bed, room })
+    }
+
+    /// The way down from a place at a level as far as there is room, where a wall stands near enough
+    /// to hang the column's foot on. A surface that leans comes nearer slab by slab, so that what
+    /// falls on it has no room in its last ones.
+    fn hung(&self, place: DVec2, need: &Need) -> Option<Fall> {
+        let top = self.slices.iter().rposition(|slice| slice.level < need.level)?;
+        let inside = self.slices[top].outline.holds(place);
+        let mut room = f64::INFINITY;
+        let mut begin = None;
+        for slice in self.slices[..=top].iter().rev() {
+            let distance = slice.outline.distance(place);
+            if slice.outline.holds(place) != inside || distance < TIGHT * self.radius {
+                break;
+            }
+            room = room.min(distance);
+            if slice.step.is_none() {
+                begin = Some((slice.level, distance, room));
+            }
+        }
+        let (level, distance, room) = begin?;
+        let foot = Foot::Slope { level };
+        (level > 0 && distance <= self.hold).then_some(Fall { foot, room })
     }
 
     /// Whether nothing lies in a column's way from one level up to another.
