@@ -1,6 +1,7 @@
 """Measures the window without a screen: its address, first pictures, strokes and frames.
 
 python benches/window.py [NAME…]
+python benches/window.py --picture FILE.png    draws the README's picture of it
 
 Needs playwright, a browser and the shared models. Wall clocks of a machine that does nothing else.
 """
@@ -9,12 +10,14 @@ import argparse
 import csv
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
 from playwright.sync_api import sync_playwright
 
 import shared_models
+from wireprint import examples
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests/studio"))
 
@@ -120,10 +123,41 @@ def frame_ms(browser, model):
         window.close()
 
 
+def draw(path):
+    """Draw the window on the example bottle, with a painted belt."""
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as player:
+        model = Path(folder) / "bottle.stl"
+        model.write_bytes(examples.stl("bottle"))
+        browser = player.chromium.launch(executable_path=browser_or_skip(), args=list(FLAGS))
+        window = Window(browser, model)
+        try:
+            page = window.page(width=1280, height=800, color_scheme="light")
+            page.evaluate("store.radiusMm.value = 7")
+            page.keyboard.press("b")
+            settled(page)
+            drag(page, [(x, -22, 62 - 0.5 * x) for x in range(-16, 20, 3)])
+            until(page, "store.state.value.items.length > 0")
+            page.keyboard.press("v")
+            until(page, "store.fields.value.length > 0")
+            settled(page)
+            until(page, "store.rest.value !== null")
+            page.mouse.move(5, 400)
+            settled(page)
+            page.screenshot(path=path)
+        finally:
+            window.close()
+            browser.close()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*")
-    names = parser.parse_args().names
+    parser.add_argument("--picture", type=Path)
+    options = parser.parse_args()
+    if options.picture is not None:
+        draw(options.picture)
+        return
+    names = options.names
     chosen = [one for one in models() if not names or one.path.stem in names]
     with sync_playwright() as player:
         browser = player.chromium.launch(executable_path=browser_or_skip(), args=list(FLAGS))

@@ -1,17 +1,15 @@
-// The bed with its lines, the build volume, and the head.
+// The bed with its lines, and the build volume.
 import {
   BufferAttribute,
   BufferGeometry,
   CircleGeometry,
   DoubleSide,
   Group,
-  LatheGeometry,
   LineBasicMaterial,
   LineSegments,
   Mesh,
   MeshBasicMaterial,
   PlaneGeometry,
-  Vector2,
 } from "three";
 import type { State } from "./protocol";
 import type { Palette } from "./theme";
@@ -102,37 +100,4 @@ function grid(round: boolean, width: number, depth: number): number[] {
   along(width / 2, depth / 2, (x, reach) => found.push(x, -reach, 0, x, reach, 0));
   along(depth / 2, width / 2, (y, reach) => found.push(-reach, y, 0, reach, y, 0));
   return found;
-}
-
-/** The nozzle's cone and the block above it, as the certificate knows them. */
-export class Head extends Mesh<BufferGeometry, MeshBasicMaterial> {
-  constructor() {
-    super(
-      new BufferGeometry(),
-      new MeshBasicMaterial({ transparent: true, opacity: 0.26, side: DoubleSide, depthWrite: false }),
-    );
-    this.visible = false;
-    this.renderOrder = 5;
-  }
-
-  take(head: NonNullable<State["head"]>): void {
-    const { tip_radius_mm: tip, slant_deg: slant, cone_height_mm: high, block_radius_mm: block } = head;
-    const wide = Math.min(tip + high / Math.tan((slant * Math.PI) / 180), block);
-    const outline = [
-      [0, 0],
-      [tip, 0],
-      [wide, high],
-      [block, high],
-      [block, high + 0.5 * block],
-    ] as Flat[];
-    this.geometry.dispose();
-    this.geometry = new LatheGeometry(
-      outline.map(([r, z]) => new Vector2(r, z)),
-      48,
-    ).rotateX(Math.PI / 2);
-  }
-
-  paint(colours: Palette): void {
-    this.material.color.copy(colours.head);
-  }
 }

@@ -21,6 +21,19 @@ export interface Item {
 
 export type Value = string | number | boolean | null;
 
+/** A part of a head that is not round about its nozzle; all of it opens upwards. */
+export type HeadPart =
+  | { shape: "box"; x_mm: [number, number]; y_mm: [number, number]; bottom_mm: number; turn_deg: number }
+  | { shape: "cylinder"; centre_mm: [number, number]; radius_mm: number; bottom_mm: number };
+
+export interface Head {
+  tip_radius_mm: number;
+  slant_deg: number;
+  cone_height_mm: number;
+  block_radius_mm: number;
+  parts?: HeadPart[];
+}
+
 export interface State {
   revision: number;
   items: Item[];
@@ -32,7 +45,7 @@ export interface State {
   automatic: Record<string, number>;
   differs: Record<string, Value>;
   bed: { round: boolean; size_mm: [number, number]; high: number };
-  head: { tip_radius_mm: number; slant_deg: number; cone_height_mm: number; block_radius_mm: number } | null;
+  head: Head | null;
 }
 
 export interface Label {

@@ -8,8 +8,9 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { Bed, Head } from "./bed";
+import { Bed } from "./bed";
 import { Dots } from "./dots";
+import { Head } from "./head";
 import { Strands } from "./strands";
 import { Surface } from "./surface";
 import { darkQuery, palette } from "./theme";
