@@ -214,13 +214,22 @@ CURA_BASE = {
             "default_value": "G91\nG1 E-2 Z0.2 F2400\nG90\nG1 X0 Y{machine_depth}\nM104 S0\nM140 S0"
         },
         "retraction_speed": {"value": 47},
-        "material_diameter": {"default_value": 1.75},
+    },
+}
+CURA_EXTRUDER = {
+    "name": "Extruder 1",
+    "version": 2,
+    "inherits": "fdmextruder",
+    "overrides": {
+        "machine_nozzle_size": {"default_value": 0.5},
+        "material_diameter": {"default_value": 2.85},
     },
 }
 CURA = {
     "name": "Maker Two",
     "version": 2,
     "inherits": "maker_base",
+    "metadata": {"machine_extruder_trains": {"0": "maker_two_extruder_0"}},
     "overrides": {
         "machine_name": {"default_value": "Maker Two"},
         "machine_width": {"default_value": 236},

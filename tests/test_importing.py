@@ -28,6 +28,8 @@ def folder(tmp_path):
     (tmp_path / "cube.json").write_text(json.dumps(files.ORCA, indent=4))
     (tmp_path / "maker_base.def.json").write_text(json.dumps(files.CURA_BASE, indent=4))
     (tmp_path / "maker_two.def.json").write_text(json.dumps(files.CURA, indent=4))
+    extruder = json.dumps(files.CURA_EXTRUDER, indent=4)
+    (tmp_path / "maker_two_extruder_0.def.json").write_text(extruder)
     (tmp_path / "prusa.gcode").write_text(files.block(files.SLIC3R))
     (tmp_path / "orca.gcode").write_text(files.orca_block())
     project = files.project("Metadata/project_settings.config", json.dumps(files.orca_config()))
@@ -144,6 +146,9 @@ FIGURES = {
         "bed.width_mm": 236,
         "bed.depth_mm": 227,
         "bed.height_mm": 252,
+        # Its extruder has a file of its own.
+        "head.nozzle_mm": 0.5,
+        "extruder.filament_diameter_mm": 2.85,
         "head.carriage_height_mm": 26,
         "head.carriage_radius_mm": 46.7,
         "motion.max_velocity": 320,

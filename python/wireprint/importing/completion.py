@@ -67,8 +67,9 @@ def complete(
     if missing:
         known = ", ".join(hotends.HOTENDS)
         msg = (
-            f"{name}: it does not say the head's shape (head.{missing[0]}); name the hot end by "
-            f"--hotend ({known}), or a printer with such a head by --like"
+            f"{name}: it does not say the head's shape (head.{missing[0]}); import it with the hot "
+            f"end, --hotend NAME ({known}), or with a printer that has such a head, --like NAME; "
+            f"where a printer is named, put either behind a #: {name}#v6"
         )
         raise SettingError(msg)
     geometry = [key for key in _DELTA if draft.get(f"motion.{key}") is None]

@@ -98,22 +98,44 @@ def definition(path: Path, text: str, heirs: tuple[Path, ...] = ()) -> Config:
             names = " → ".join(one.name for one in (*chain, other))
             raise SettingError(f"{place}: definitions inherit in a circle: {names}")
         found = definition(other, text_of(other), chain)
+    found |= _extruder(path, table)
     overrides = table.get("overrides")
     if isinstance(table.get("name"), str):
         found["machine_name"] = Given(table["name"], f"{path.name}, name")
+    return found | _overridden(overrides, text, path.name, found)
+
+
+def _overridden(overrides: Any, text: str, name: str, known: Config) -> Config:
+    """Return what a file states, formulas computed from that and from what is known."""
     lines = text.splitlines()
+    found: Config = {}
     for key, entry in overrides.items() if isinstance(overrides, dict) else ():
         if isinstance(entry, dict):
-            value = entry.get("value", entry.get("default_value"))
             line = next((n for n, one in enumerate(lines, 1) if f'"{key}"' in one), 1)
-            place = f"{path.name}:{line}, {one_line(key)}"
+            place = f"{name}:{line}, {one_line(key)}"
             # A formula that is none of ours leaves what stands beside it.
-            values = [value, entry.get("default_value")]
-            for one in values:
-                if (given := _given(one, place, found)) is not None:
+            usual = entry.get("default_value")
+            for one in (entry.get("value", usual), usual):
+                if (given := _given(one, place, known | found)) is not None:
                     found[key] = given
                     break
     return found
+
+
+def _extruder(path: Path, table: dict[str, Any]) -> Config:
+    """Return what a machine's first extruder says; its file lies beside, or in a folder of them."""
+    metadata = table.get("metadata")
+    trains = metadata.get("machine_extruder_trains") if isinstance(metadata, dict) else None
+    name = trains.get("0") if isinstance(trains, dict) else None
+    if not isinstance(name, str) or not name.isidentifier():
+        return {}
+    for folder in (path.parent, path.parent.parent / "extruders"):
+        file = folder / f"{name}.def.json"
+        if file.is_file():
+            text = text_of(file)
+            own = json_object(text, str(file))
+            return _overridden(own.get("overrides"), text, file.name, {})
+    return {}
 
 
 def _given(value: Any, place: str, known: Config) -> Given | None:
