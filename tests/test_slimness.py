@@ -2,6 +2,7 @@
 
 import pytest
 
+import wireprint
 from command import run
 from wireprint import Settings, examples
 from wireprint.slimness import strand_of, told
@@ -32,6 +33,43 @@ def test_a_wider_nozzle_is_offered_where_it_helps():
     assert "--nozzle 0.4" in told(strand_of(Settings.load("prusa-mk4s", nozzle_mm=0.25)))
     for nozzle_mm in (0.6, 0.8, 1.0):
         assert told(strand_of(Settings.load("prusa-mk4s", nozzle_mm=nozzle_mm))) == ""
+
+
+def test_more_filament_makes_a_thicker_strand():
+    usual = Settings.load("prusa-mk4s", "pla")
+    fed = usual.but(overrides=["wire.flow=1.5"])
+    assert fed.strand_mm == pytest.approx(0.4 * 1.5**0.5)
+    assert strand_of(fed)["stiffness"] / strand_of(usual)["stiffness"] == pytest.approx(1.5**2)
+    assert fed.pause_s > usual.pause_s
+    assert "--set wire.flow=1.5" in strand_of(usual)["help"]
+    assert "wire.flow" not in strand_of(fed)["help"]
+    assert usual.strand_mm == usual.printer.head.nozzle_mm
+
+
+@pytest.mark.parametrize("printer", ["prusa-mk4s", "kossel-mini", "voron-0"])
+def test_a_print_with_more_filament_is_certified_and_takes_as_much_more(tmp_path, printer):
+    (tmp_path / "cube.stl").write_bytes(examples.stl("cube"))
+    mesh = wireprint.load_mesh(tmp_path / "cube.stl")
+
+    def per_mm(flow):
+        overrides = [f"wire.flow={flow}", "wire.prime_mm=0", "gcode.thumbnails=[]"]
+        made = wireprint.make(mesh, Settings.load(printer, "pla", overrides=overrides))
+        assert made.certificate.ok
+        figures = made.figures()
+        return figures["filament_mm"] / figures["strand_mm"]
+
+    assert per_mm(1.5) / per_mm(1.0) == pytest.approx(1.5, rel=0.03)
+
+
+def test_layers_beside_thicker_strands_are_as_wide_as_these(tmp_path):
+    from wireprint.regions import Region, ZRange
+
+    (tmp_path / "cube.stl").write_bytes(examples.stl("cube"))
+    mesh = wireprint.load_mesh(tmp_path / "cube.stl")
+    settings = Settings.load("prusa-mk4s", "pla", overrides=["wire.flow=1.5"])
+    made = wireprint.make(mesh, settings, Region().add(ZRange(low_mm=10, high_mm=16)))
+    assert made.certificate.ok
+    assert made.figures()["regions"]["layer_wise_mm"] > 0
 
 
 def test_a_slimmer_strand_pauses_for_less():

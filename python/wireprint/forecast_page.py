@@ -75,7 +75,7 @@ def page(forecast: Forecast, figure: str, title: str) -> bytes:
         Entry(name, name, colour, float(lengths[kinds == kind].sum()))
         for kind, (name, colour) in enumerate(zip(names, (*_COLOURS, _NONE), strict=True))
     ]
-    diameters = np.full(len(ends), settings.printer.head.nozzle_mm)
+    diameters = np.full(len(ends), settings.strand_mm)
     drawn = _Coloured(ends, kinds, tuple(names), diameters)
     sheet = Page(f"{title}: {scale.name}, {forecast.trust}", _size(ends), camera_angles("iso")[:2])
     # Without travels, the page asks for no more than these.
@@ -89,7 +89,7 @@ def page(forecast: Forecast, figure: str, title: str) -> bytes:
 def _scale(forecast: Forecast, figure: str) -> _Scale:
     """Return a figure in shares of its limit: a quarter, a half, the whole and twice of it."""
     settings = forecast.judge.settings
-    strand = settings.printer.head.nozzle_mm
+    strand = settings.strand_mm
     shares = (0.25, 0.5, 1.0, 2.0)
     if figure == "sag":
         edges = tuple(share * strand for share in shares)

@@ -60,7 +60,7 @@ def air_mm_s(settings: Settings) -> float:
 def terms_of(settings: Settings) -> dict[str, Any]:
     """Return what the core forecasts with."""
     printer, material = settings.printer, settings.material
-    matter = matter_of(material, printer.head.nozzle_mm)
+    matter = matter_of(material, settings.strand_mm)
     known = settings.calibrated
     spread, faster, farther = calibrated_spread("holds", settings) or SPREAD, 1.0, []
     if known is not None:

@@ -153,7 +153,7 @@ def _longer_pause(rule: Rule, settings: Settings) -> str:
     if rule.detail > (rule.limit or 0.0):
         return "what they stand on gives way, and no pause helps: print lower slabs (--slab-max)"
     pause_s = _core.holding_pause(
-        matter_of(settings.material, settings.printer.head.nozzle_mm),
+        matter_of(settings.material, settings.strand_mm),
         air_mm_s(settings),
         rule.length_mm,
         settings.print_mm_s,

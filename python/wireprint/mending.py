@@ -64,7 +64,7 @@ def mended(strands: Wireframe, certificate: Certificate, settings: Settings) -> 
         throughout = number == 0 and len(dropped) > _MOST * strands.strand_count
         if throughout or not 0 < len(dropped) < strands.strand_count:
             return None
-        strands = strands.without(dropped, settings.printer.head.nozzle_mm)
+        strands = strands.without(dropped, settings.strand_mm)
         text = document.body(toolpath(strands, settings), settings, document.dated(None))
         certificate = check(text, settings)
         if certificate.ok:

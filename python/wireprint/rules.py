@@ -111,8 +111,8 @@ def rules_of(settings: Settings) -> dict[str, Any]:
     }
     return {
         "head": shape,
-        "strand_mm": head.nozzle_mm,
-        "bed_contact_mm": head.nozzle_mm,
+        "strand_mm": settings.strand_mm,
+        "bed_contact_mm": settings.strand_mm,
         "span_limit_mm": wire.span_limit_mm,
         "free_end_limit_mm": wire.free_end_limit_mm,
         "bed": {
@@ -187,10 +187,10 @@ def terms_of(settings: Settings) -> _core._Terms:
     than twice the distance that counts as covered, only caps can close it: that is what *level*
     means, up to 45°.
     """
-    printer, wire = settings.printer, settings.wire
+    wire = settings.wire
     return {
         "within_mm": wire.coverage_within_mm,
-        "strand_mm": printer.head.nozzle_mm,
+        "strand_mm": settings.strand_mm,
         "level_sine": min(settings.slab_min_mm / (2 * wire.coverage_within_mm), math.sqrt(0.5)),
         "caps": wire.caps,
         "supports": wire.supports == "wire",

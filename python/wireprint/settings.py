@@ -524,6 +524,12 @@ class Wire(Section):
     travel_lift_mm: float = Field(
         1.0, ge=0, le=50, description="by which a travel clears what stands; two strands' worth"
     )
+    flow: float = Field(
+        1.0,
+        ge=0.5,
+        le=3,
+        description="filament by what a strand as wide as the nozzle takes; 1.5: a fifth wider",
+    )
     span_limit_mm: float = Field(
         65.0, ge=1, le=500, description="longest stretch held at both ends; the paper's 6.5 cm"
     )
@@ -719,11 +725,14 @@ class Settings(Section):
         return self
 
     @property
+    def strand_mm(self) -> float:
+        """Diameter of a strand, mm: as wide as the nozzle, unless more is fed."""
+        return self.printer.head.nozzle_mm * math.sqrt(self.wire.flow)
+
+    @property
     def slab_min_mm(self) -> float:
         """Lowest slab, mm."""
-        return self.wire.slab_min_mm or min(
-            2 * self.printer.head.nozzle_mm, self.printer.head.cone_height_mm
-        )
+        return self.wire.slab_min_mm or min(2 * self.strand_mm, self.printer.head.cone_height_mm)
 
     @property
     def slab_max_mm(self) -> float:
@@ -733,7 +742,7 @@ class Settings(Section):
     @property
     def first_layer_height_mm(self) -> float:
         """Height of the tip over the bed where strands lie on it, mm."""
-        return self.wire.first_layer_height_mm or self.printer.head.nozzle_mm / 2
+        return self.wire.first_layer_height_mm or self.strand_mm / 2
 
     @property
     def print_mm_s(self) -> float:
@@ -748,7 +757,7 @@ class Settings(Section):
     @property
     def _melting_mm_s(self) -> float:
         """Speed at which a strand takes all that the hot end melts, mm/s."""
-        section_mm2 = math.pi / 4 * self.printer.head.nozzle_mm**2
+        section_mm2 = math.pi / 4 * self.strand_mm**2
         # A hair less: filament is written with finitely many digits.
         return 0.999 * self.printer.extruder.max_flow_mm3_s / section_mm2
 
@@ -764,7 +773,7 @@ class Settings(Section):
     def calibrated(self) -> Calibration | None:
         """The calibration, if it was measured with what these settings are."""
         known = self.calibration
-        if known is None:
+        if known is None or self.wire.flow != 1.0:
             return None
         then = (known.nozzle_mm, known.nozzle_c, known.method)
         cooling = self.printer.cooling
@@ -776,7 +785,7 @@ class Settings(Section):
         """Time in which a strand cools until it holds, s; see `Material.solidify_s`."""
         cooling = self.printer.cooling
         air_mm_s: float = getattr(cooling.air_mm_s, cooling.method)
-        return self.material.solidify_s(self.printer.head.nozzle_mm, air_mm_s)
+        return self.material.solidify_s(self.strand_mm, air_mm_s)
 
     @classmethod
     def load(

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 PAPER_MM: Final = 0.7
 #: Nozzles that are sold for any hot end, mm.
 _SOLD_MM: Final = (0.4, 0.6, 0.8)
+#: A flow that an ordinary hot end feeds at the speed of wire.
+_FLOW: Final = 1.5
 #: A strand with less of the paper's stiffness than this is called slim.
 _SLIM: Final = 0.5
 
@@ -41,7 +43,7 @@ def strand_of(settings: Settings) -> Strand:
     :math:`w` in the square and :math:`I` in the fourth power of the diameter: the length that sags
     equally grows with its square root (Gere, Mechanics of Materials, table of cantilevers).
     """
-    diameter_mm = settings.printer.head.nozzle_mm
+    diameter_mm = settings.strand_mm
     ratio = diameter_mm / PAPER_MM
     return {
         "diameter_mm": diameter_mm,
@@ -49,16 +51,21 @@ def strand_of(settings: Settings) -> Strand:
         "stiffness": ratio**4,
         "free_end_mm": settings.wire.free_end_limit_mm * math.sqrt(ratio),
         "pause_s": settings.pause_s,
-        "help": _help(diameter_mm) if ratio**4 < _SLIM else "",
+        "help": _help(settings) if ratio**4 < _SLIM else "",
     }
 
 
-def _help(diameter_mm: float) -> str:
-    wider = next((sold for sold in _SOLD_MM if sold > diameter_mm * 1.2), None)
-    if wider is None:
-        return ""
-    times = (wider / diameter_mm) ** 4
-    return f"--nozzle {wider:g}, if you have one, makes it {times:.0f} times as stiff"
+def _help(settings: Settings) -> str:
+    """Say what would make it stiffer: another nozzle, or more filament through this one."""
+    nozzle_mm, diameter_mm = settings.printer.head.nozzle_mm, settings.strand_mm
+    ways = []
+    if (wider := next((sold for sold in _SOLD_MM if sold > nozzle_mm * 1.2), None)) is not None:
+        times = settings.wire.flow**2 * (wider / diameter_mm) ** 4
+        ways.append(f"--nozzle {wider:g}, if you have one, makes it {times:.0f} times as stiff")
+    if settings.wire.flow < _FLOW:
+        times = (_FLOW / settings.wire.flow) ** 2
+        ways.append(f"--set wire.flow={_FLOW:g}, more filament through the same, {times:.1f} times")
+    return "; ".join(ways)
 
 
 def told(strand: Strand) -> str:
@@ -66,7 +73,7 @@ def told(strand: Strand) -> str:
     if strand["stiffness"] >= _SLIM:
         return ""
     return (
-        f"{strand['diameter_mm']:g} mm has {100 * strand['strength']:.0f} % of the strength and "
+        f"{strand['diameter_mm']:.3g} mm has {100 * strand['strength']:.0f} % of the strength and "
         f"{100 * strand['stiffness']:.0f} % of the stiffness of {PAPER_MM:g} mm, pauses for "
         f"{strand['pause_s']:.1f} s, and hangs free as well over {strand['free_end_mm']:.0f} mm"
         + (f": {strand['help']}" if strand["help"] else "")

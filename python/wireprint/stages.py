@@ -46,7 +46,7 @@ def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -
 def _of_wire(settings: Settings) -> dict[str, object]:
     """Return what the wireframe depends on besides the settings of `[wire]` as they stand."""
     return {
-        "strand_mm": settings.printer.head.nozzle_mm,
+        "strand_mm": settings.strand_mm,
         "slab_min_mm": settings.slab_min_mm,
         "slab_max_mm": settings.slab_max_mm,
         "first_layer_height_mm": settings.first_layer_height_mm,
@@ -86,7 +86,7 @@ def _of_path(settings: Settings) -> dict[str, object]:
     return {
         "centre_mm": printer.bed.centre_mm,
         "plate": {"round": half[0]} if printer.bed.shape == "round" else {"rectangle": half},
-        "strand_mm": printer.head.nozzle_mm,
+        "strand_mm": settings.strand_mm,
         "first_layer_height_mm": settings.first_layer_height_mm,
         "print_mm_s": settings.print_mm_s,
         "first_layer_mm_s": settings.first_layer_mm_s,
@@ -126,7 +126,7 @@ def _times(settings: Settings) -> dict[str, float]:
 def _melting_mm_s(settings: Settings) -> float:
     """Speed at which the lines of regions take all that the hot end melts, mm/s."""
     regions, printer = settings.regions, settings.printer
-    width = regions.width_ratio * printer.head.nozzle_mm
+    width = regions.width_ratio * settings.strand_mm
     melts = regions.max_flow_mm3_s or printer.extruder.max_flow_mm3_s
     return melts / line_section_mm2(width, regions.layer_height_mm)
 

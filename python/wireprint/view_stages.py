@@ -59,7 +59,7 @@ def stage(name: Stage, mesh: Mesh, settings: Settings, slabs: range | None = Non
     if count > 0 and not (0 <= shown.start < shown.stop <= count):
         last = count - 1
         raise SettingError(f"slabs: {shown.start} to {shown.stop - 1}; there are 0 to {last}")
-    diameter_mm = settings.printer.head.nozzle_mm
+    diameter_mm = settings.strand_mm
     if name == "toolpath":
         return _toolpath(wireframe, settings, shown)
     groups = {

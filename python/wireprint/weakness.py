@@ -50,7 +50,7 @@ def limit_mm_n(settings: Settings) -> float:
 
     Farther, and the next strand no longer meets it, for a contact is one strand's diameter.
     """
-    return settings.printer.head.nozzle_mm / 2 / settings.wire.pull_n
+    return settings.strand_mm / 2 / settings.wire.pull_n
 
 
 def find_weak(gcode: bytes, settings: Settings) -> tuple[Weak, ...] | None:

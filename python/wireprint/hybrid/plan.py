@@ -78,7 +78,7 @@ class Plan:
         runs = runs_of(sketch.strips, region.covers_known(samples.middle, samples.normal))
         points, normals = sketch.level
         flats = Flats(points, region.covers_known(points, normals))
-        strand_mm = sketch.settings.printer.head.nozzle_mm
+        strand_mm = sketch.settings.strand_mm
         return cls(sketch, runs, flats, _inside(sketch.cut, runs, region, strand_mm))
 
     @property
@@ -174,11 +174,11 @@ class Plan:
 
     def layered(self) -> _Layered | None:
         """Return what the core needs to know; None where nothing is layers."""
-        printer, recipe, lines = self.settings.printer, self.sketch.recipe, self.laid.route
+        recipe, lines = self.sketch.recipe, self.laid.route
         if not (len(lines.group) or self.flats.marked.any()):
             return None
         layer = lines.layer[lines.offsets[:-1]]
-        strand_mm2 = math.pi / 4 * printer.head.nozzle_mm**2
+        strand_mm2 = math.pi / 4 * self.settings.strand_mm**2
         thickness = self.cut.thickness.tolist()
         section_mm2 = np.array([line_section_mm2(recipe.width_mm, mm) for mm in thickness])
         whole = {(run.slab, run.strip) for run in self.sections if run.whole}

@@ -51,7 +51,7 @@ class Sketch:
     @cached_property
     def recipe(self) -> Recipe:
         """Widths and counts of the lines."""
-        return Recipe.of(self.settings.regions, self.settings.printer)
+        return Recipe.of(self.settings.regions, self.settings.printer, self.settings.strand_mm)
 
     @cached_property
     def cut(self) -> Cut:
@@ -113,7 +113,7 @@ class Sketch:
 
     @property
     def _strand_mm(self) -> float:
-        return self.settings.printer.head.nozzle_mm
+        return self.settings.strand_mm
 
     @cached_property
     def _normals(self) -> Floats:

@@ -35,8 +35,8 @@ class Recipe:
     rates: Rates
 
     @classmethod
-    def of(cls, profile: LayerProfile, printer: Printer) -> Self:
-        """Resolve a profile for a printer.
+    def of(cls, profile: LayerProfile, printer: Printer, strand_mm: float | None = None) -> Self:
+        """Resolve a profile for a printer, beside strands of a diameter; None: the nozzle's.
 
         Notes
         -----
@@ -44,7 +44,7 @@ class Recipe:
         is ``h·(w − h) + π/4·h²``, and lines ``w − h·(1 − π/4)`` apart fill a layer without gaps
         (manual.slic3r.org, "Flow math").
         """
-        nozzle, layer = printer.head.nozzle_mm, profile.layer_height_mm
+        nozzle, layer = strand_mm or printer.head.nozzle_mm, profile.layer_height_mm
         width = profile.width_ratio * nozzle
         spacing = width - layer * (1 - math.pi / 4)
         return cls(
