@@ -221,3 +221,18 @@ def test_the_command_writes_nothing_where_it_fails(tmp_path):
     told = run("profiles", "import", str(cfg), "-o", str(cfg), "--hotend", "v6")
     assert told.exit_code == 2
     assert cfg.read_text() == files.KLIPPER
+
+
+def test_a_file_that_says_what_the_printer_is_is_not_written_over(tmp_path):
+    theirs = written(tmp_path, "theirs.gcode", files.block(files.SLIC3R))
+    model = written(tmp_path, "cube.stl", examples.stl("cube"))
+    before = theirs.read_bytes()
+    done = run("slice", str(model), "-o", str(theirs), "--printer", f"{theirs}#v6")
+    assert done.exit_code == 2
+    assert theirs.read_bytes() == before
+    out = tmp_path / "cube.gcode"
+    done = run(
+        "slice", str(model), "-o", str(out), "--printer", f"{theirs}#v6", "--material", "pla"
+    )
+    assert done.exit_code == 0, done.output
+    assert run("estimate", str(out), "--limits", str(theirs), "--firmware", "marlin").exit_code == 0

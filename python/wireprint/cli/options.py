@@ -132,7 +132,12 @@ class Chosen:
     @property
     def files(self) -> list[Path]:
         """Files of the user's that are read."""
-        named = [Path(name) for name in (self.printer, self.material) if name is not None]
+        # What stands behind a # completes a file of another program.
+        named = [
+            Path(name.partition("#")[0])
+            for name in (self.printer, self.material)
+            if name is not None
+        ]
         return [*named, *self.load]
 
     def settings(self) -> Settings:
