@@ -280,7 +280,7 @@ def test_what_cura_changed_completes_a_printer_that_is_like_it(folder):
 
 def test_the_heads_shape_is_asked_for(folder):
     with pytest.raises(
-        SettingError, match=r"does not say the head's shape .*--hotend \(v6, volcano"
+        SettingError, match=r"does not say the head's shape .*--hotend NAME \(v6, volcano"
     ):
         imported([folder / "printer.cfg"])
     with pytest.raises(SettingError, match="--hotend rapdio: did you mean rapido"):

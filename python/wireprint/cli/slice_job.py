@@ -112,6 +112,7 @@ class Job:
         if self.weak and made.weak is None:
             warnings.append("how far it gives way while it grows was not judged: too much work")
         figures["warnings"] += warnings
+        figures["sent"] = None
         if self.forecast:
             from wireprint.forecast import simulate
             from wireprint.forecast_words import told

@@ -65,7 +65,7 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
             yield _row("", sentence)
     for sentence in figures["warnings"]:
         yield _row("note", sentence)
-    if (sent := figures.get("sent")) is not None:
+    if (sent := figures["sent"]) is not None:
         what = "is printed" if sent["started"] else "waits to be started"
         yield _row("sent", f"to {sent['host']}, where {sent['file']} {what}")
 
