@@ -233,8 +233,6 @@ _Rgb: TypeAlias = tuple[int, int, int]
 @final
 class Strands:
     @staticmethod
-    def read_gcode(path: str | os.PathLike[str]) -> Strands: ...
-    @staticmethod
     def from_gcode(text: bytes) -> Strands: ...
     @staticmethod
     def from_toolpath(

@@ -49,8 +49,6 @@ class Cut:
     def of(cls, wireframe: Wireframe, mesh: Mesh, layer_mm: float, strand_mm: float) -> Cut:
         """Cut the slabs of a wireframe's model into layers about `layer_mm` high."""
         found = wireframe.layers(mesh, layer_mm, strand_mm)
-        first = np.repeat(found["slice_offsets"][:-1], np.diff(found["slice_offsets"]))
-        parent = np.where(found["parent"] < 0, -1, found["parent"] + first)
         return cls(
             found["slab"],
             found["z"],
@@ -59,7 +57,7 @@ class Cut:
             found["face"],
             found["offsets"],
             found["slice_offsets"],
-            parent,
+            found["parent"],
             found["depth"],
             found["closed"],
             found["strip"],

@@ -3,15 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-import numpy as np
 
 from wireprint.layerwise.areas import Geometries, offset
 from wireprint.layerwise.lines import Lines
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 
 @dataclass(frozen=True)
@@ -52,8 +46,3 @@ def walls(
     # Without walls, the fill reaches to the contour, as far as its own width allows.
     inner = offset(area, overlap_mm - spacing_mm) if count else area
     return Walls(tuple(reversed(lines)), inner)
-
-
-def total_mm(lines: Sequence[Lines]) -> float:
-    """Length of all walls, mm."""
-    return float(sum(np.sum(line.lengths_mm()) for line in lines))

@@ -464,3 +464,133 @@ fn the_skirt_goes_around_everything_and_the_brim_stays_on_the_bed() {
         assert!((m.to.truncate() - p.centre).abs().cmple(half).all(), "{m:?} leaves the bed");
     }
 }
+
+#[test]
+fn the_print_stands_about_the_bed_s_centre() {
+    let strands = fence();
+    let still = PathParams { cooling: Cooling::Still, ..PARAMS };
+    let printed: Vec<Move> = plan(&strands, &still).into_iter().filter(|m| m.is_strand()).collect();
+    assert_eq!(printed.len(), strands.len());
+    for (m, strand) in printed.iter().zip(&strands) {
+        let centre = DVec3::new(100.0, 80.0, 0.0);
+        assert_eq!((m.from - centre, m.to - centre), (strand.from, strand.to));
+        assert!((m.filament - 0.16 * m.length()).abs() < 1e-12, "{m:?}");
+    }
+}
+
+#[test]
+fn filament_is_pulled_back_and_given_again_each_at_its_own_speed() {
+    let p = PathParams { pressure_lag: 0.4, ..PARAMS };
+    let path = plan(&fence(), &p);
+    let standing = path.iter().filter(|m| m.length() == 0.0 && m.filament != 0.0);
+    let (mut back, mut forth) = (0, 0);
+    for m in standing {
+        let speed = if m.filament < 0.0 { p.retract_speed } else { p.unretract_speed };
+        assert_eq!(m.speed, speed, "{m:?}");
+        if m.filament < 0.0 { back += 1 } else { forth += 1 }
+    }
+    assert!(back > 3 && forth > 3, "{back} {forth}");
+}
+
+#[test]
+fn the_head_comes_down_to_the_first_strand_and_leaves_above_all() {
+    let mut low = fence();
+    low.push(strand([30.0, 0.0, 0.35], [40.0, 0.0, 0.35], Kind::Contour));
+    for prime in [0.0, 5.0] {
+        let p = PathParams { prime, ..PARAMS };
+        let path = toolpath(&low, &p);
+        assert_eq!(path.start, DVec3::new(100.0, 80.0, 0.35 + 1.0));
+        let path = moves(&path);
+        assert_eq!(path[0].kind, Kind::Travel);
+        let first = path.iter().position(Move::is_strand).unwrap();
+        let primed: Vec<&Move> = path[..first].iter().filter(|m| m.filament != 0.0).collect();
+        assert_eq!(primed.len(), usize::from(prime > 0.0));
+        assert!(primed.iter().all(|m| m.kind == Kind::Unretract && m.filament == prime));
+        let last = path[path.len() - 1];
+        assert_eq!((last.kind, last.to), (Kind::Travel, DVec3::new(140.0, 80.0, 7.0)));
+        assert_eq!(last.from.truncate(), last.to.truncate());
+        let retract = path[path.len() - 2];
+        assert_eq!((retract.kind, retract.filament), (Kind::Retract, -p.retract));
+    }
+    let none = PathParams { retract: 0.0, ..PARAMS };
+    assert!(plan(&low, &none).iter().all(|m| m.kind != Kind::Retract));
+}
+
+#[test]
+fn a_short_hop_over_what_stands_high_is_a_long_way() {
+    let hop = |tall: f64| {
+        let strands = [
+            strand([0.0, 0.0, 0.35], [0.0, 0.0, tall], Kind::Post),
+            strand([20.0, 0.0, 0.35], [30.0, 0.0, 0.35], Kind::Contour),
+            strand([30.5, 0.0, 0.35], [40.0, 0.0, 0.35], Kind::Contour),
+        ];
+        let path = plan(&strands, &PARAMS);
+        let contours: Vec<usize> =
+            (0..path.len()).filter(|&i| path[i].kind == Kind::Contour).collect();
+        let between = &path[contours[0] + 1..contours[1]];
+        let over = between.iter().map(|m| m.to.z).fold(0.0, f64::max);
+        assert!((over - tall.max(0.35) - 1.0).abs() < 1e-9, "{over} over {tall}");
+        between.iter().any(|m| m.kind == Kind::Retract)
+    };
+    // Half a mm aside, and as far up as something stands: from a mm on, filament is pulled back.
+    assert!(!hop(0.35 + 0.4) && hop(0.35 + 0.6) && hop(9.0));
+}
+
+#[test]
+fn layers_lines_are_reached_straight_and_without_a_retraction_where_they_are_near() {
+    for (gap, far) in [(1.9, false), (2.1, true)] {
+        let mut all = strands_along(&[[0.0, 0.0, 6.0], [9.0, 0.0, 6.0]], Kind::LayerWise);
+        let next = strand([9.0, gap, 6.0], [0.0, gap, 6.0], Kind::LayerWise);
+        all.push(Strand { direct: true, ..next });
+        let path = plan(&all, &PARAMS);
+        let lines: Vec<usize> = (0..path.len()).filter(|&i| path[i].is_strand()).collect();
+        let between = &path[lines[0] + 1..lines[1]];
+        let travels: Vec<&Move> = between.iter().filter(|m| m.kind == Kind::Travel).collect();
+        assert_eq!(travels.len(), 1);
+        assert!((travels[0].length() - gap).abs() < 1e-9);
+        assert_eq!(between.iter().any(|m| m.kind == Kind::Retract), far);
+    }
+}
+
+#[test]
+fn figures_are_sums_over_the_moves() {
+    let path = toolpath(&fence(), &PARAMS);
+    let (all, found) = (moves(&path), path.figures());
+    let sum = |kinds: fn(&&Move) -> bool| all.iter().filter(kinds).map(Move::length).sum::<f64>();
+    assert!((found.strand - sum(|m| m.is_strand())).abs() < 1e-9);
+    assert!((found.travel - sum(|m| m.kind == Kind::Travel)).abs() < 1e-9);
+    assert_eq!((found.pauses, found.pause), (3, 3.0 * PARAMS.pause));
+    let filament: f64 = all.iter().map(|m| m.filament).sum();
+    assert!((found.filament - filament).abs() < 1e-9);
+}
+
+#[test]
+fn a_plate_holds_what_lies_on_it() {
+    for (x, y, round, square) in
+        [(9.9, 0.0, true, true), (8.0, 8.0, false, false), (0.0, -4.1, true, false)]
+    {
+        let p = DVec2::new(x, y);
+        assert_eq!(Plate::Round(10.0).holds(p), round);
+        assert_eq!(Plate::Rectangle(DVec2::new(10.0, 4.0)).holds(p), square, "{p}");
+    }
+    assert!((PARAMS.filament_area() - 2.405_281_875).abs() < 1e-6);
+    assert!(PARAMS.is_on_bed(0.35) && !PARAMS.is_on_bed(0.36));
+}
+
+#[test]
+fn a_small_foot_under_a_tall_print_gets_a_brim() {
+    let rings_of = |side: f64, height: f64| {
+        let mut all = square(0.0, side);
+        all.push(strand([0.0, 0.0, 0.35], [0.0, 0.0, height], Kind::Post));
+        let p = PathParams { brim_rings: None, ..PARAMS };
+        let path = toolpath(&all, &p);
+        assert_eq!(rings(&moves(&path), Kind::Brim).len(), path.brim_rings as usize);
+        path.brim_rings
+    };
+    // A foot of a quarter of the height is safe; what it lacks of that, rings of a strand add on both
+    // sides, ten at the most.
+    assert_eq!(rings_of(20.0, 80.0), 0);
+    assert_eq!(rings_of(20.0, 81.0), 1);
+    assert_eq!(rings_of(20.0, 100.0), (5.0_f64 / 1.4).ceil() as u32);
+    assert_eq!(rings_of(10.0, 300.0), 10);
+}

@@ -12,7 +12,7 @@ use wireprint_core::wireframe::regions::layers::Layer;
 
 use crate::arrays;
 use crate::errors::SettingError;
-use crate::wireframe::contours;
+use crate::slices::Flat;
 
 /// What of a wire print is layers; the stub describes each array.
 #[derive(FromPyObject)]
@@ -172,7 +172,7 @@ impl AsRef<[Contour]> for Contours<'_> {
 /// Whatever Python raises.
 pub fn layers<'py>(py: Python<'py>, cut: Vec<Layer>) -> PyResult<Bound<'py, PyDict>> {
     let slices: Vec<Contours> = cut.iter().map(|layer| Contours(&layer.contours)).collect();
-    let dict = contours(py, &slices)?;
+    let dict = Flat::of(&slices).into_dict(py)?;
     let faces = cut.iter().flat_map(|l| &l.contours).flat_map(face_of_points);
     let strips = cut.iter().flat_map(|l| &l.strips).map(|s| s.map_or(-1, i64::from));
     dict.set_item("slab", arrays::vector(py, cut.iter().map(|l| i64::from(l.slab)).collect()))?;

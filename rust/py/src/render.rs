@@ -1,7 +1,6 @@
 //! `wireprint._core.Strands` and `.Scene`: what is laid, and a picture of it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::path::PathBuf;
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -28,13 +27,6 @@ pub struct Strands {
 
 #[pymethods]
 impl Strands {
-    /// Replays a G-code file, any program's.
-    #[staticmethod]
-    fn read_gcode(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let core = detached(py, || render::Strands::from_gcode(&std::fs::read(&path)?))?;
-        Ok(core.into())
-    }
-
     /// Replays G-code held in memory.
     #[staticmethod]
     fn from_gcode(py: Python<'_>, text: &[u8]) -> PyResult<Self> {
@@ -124,11 +116,11 @@ impl Strands {
         arrays::vector(py, self.core.features.clone())
     }
 
-    /// Line of the G-code that lays each strand, from 1, uint64 (N,); `None` where there is no text.
+    /// Line of the G-code that lays each strand, from 1, read-only uint64 (N,); `None` where there is no text.
     #[getter]
     fn lines<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<u64>>> {
         let lines = &self.core.lines;
-        (lines.len() == self.core.segments.len()).then(|| PyArray1::from_slice(py, lines))
+        (lines.len() == self.core.segments.len()).then(|| arrays::vector(py, lines.clone()))
     }
 
     fn __len__(&self) -> usize {

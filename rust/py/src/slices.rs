@@ -2,6 +2,7 @@
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use wireprint_core::contours::{Contour, sliced};
 use wireprint_core::slices::{Plane, Side};
 
@@ -30,7 +31,7 @@ pub struct Slices {
 
 /// The same, before the arrays become Python's.
 #[derive(Default)]
-struct Flat {
+pub struct Flat {
     points: Vec<f64>,
     offsets: Vec<i64>,
     slice_offsets: Vec<i64>,
@@ -41,14 +42,19 @@ struct Flat {
 }
 
 impl Flat {
-    fn of(slices: &[Vec<Contour>]) -> Self {
-        let points = slices.iter().flatten().map(|contour| contour.points.len()).sum::<usize>();
+    /// Packs slices, each of contours whose parents are numbered within it.
+    pub fn of<S: AsRef<[Contour]>>(slices: &[S]) -> Self {
+        let points = slices
+            .iter()
+            .flat_map(AsRef::as_ref)
+            .map(|contour| contour.points.len())
+            .sum::<usize>();
         let mut flat = Self { points: Vec::with_capacity(2 * points), ..Self::default() };
         flat.offsets.push(0);
         flat.slice_offsets.push(0);
         for slice in slices {
             let first = flat.area.len() as i64;
-            for contour in slice {
+            for contour in slice.as_ref() {
                 for point in &contour.points {
                     flat.points.extend_from_slice(&point.to_array());
                 }
@@ -61,6 +67,22 @@ impl Flat {
             flat.slice_offsets.push(flat.area.len() as i64);
         }
         flat
+    }
+
+    /// The arrays by their names: see [`Slices`].
+    ///
+    /// # Errors
+    /// Whatever Python raises.
+    pub fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+        let dict = PyDict::new(py);
+        dict.set_item("points", arrays::matrix(py, self.points, 2)?)?;
+        dict.set_item("offsets", arrays::vector(py, self.offsets))?;
+        dict.set_item("slice_offsets", arrays::vector(py, self.slice_offsets))?;
+        dict.set_item("parent", arrays::vector(py, self.parent))?;
+        dict.set_item("depth", arrays::vector(py, self.depth))?;
+        dict.set_item("area", arrays::vector(py, self.area))?;
+        dict.set_item("closed", arrays::vector(py, self.closed))?;
+        Ok(dict)
     }
 }
 

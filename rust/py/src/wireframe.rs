@@ -5,7 +5,6 @@ use std::sync::Arc;
 use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use wireprint_core::contours::Contour;
 use wireprint_core::head::Head;
 use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::strand::Kind;
@@ -20,6 +19,7 @@ use crate::errors::{SettingError, detached, in_pool};
 use crate::layered::{LayeredArgs, layers};
 use crate::mesh::Mesh;
 use crate::params::Params;
+use crate::slices::Flat;
 
 /// A strip as Python sees it: lower contours, upper contours, area mm².
 type StripTuple = (Vec<u32>, Vec<u32>, f64);
@@ -109,15 +109,15 @@ impl Wireframe {
     /// Contours that begin the slab above each level: see `contours_below`.
     #[getter]
     fn contours_above<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        contours(py, &self.core.sliced.upper)
+        Flat::of(&self.core.sliced.upper).into_dict(py)
     }
 
     /// Contours that end the slab below each level, as a dict of arrays: `points` (N, 2) mm,
-    /// `offsets` (M + 1,), `slice_offsets` (K + 1,), `parent` (M,) (-1: none), `depth` (M,),
-    /// `area` (M,) mm², `closed` (M,).
+    /// `offsets` (M + 1,), `slice_offsets` (K + 1,), `parent` (M,), `depth` (M,), `area` (M,) mm²,
+    /// `closed` (M,): as those of `Slices`.
     #[getter]
     fn contours_below<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        contours(py, &self.core.sliced.lower)
+        Flat::of(&self.core.sliced.lower).into_dict(py)
     }
 
     /// Strips as a list, one entry a slab, of lists of (lower contours, upper contours, area mm²).
@@ -205,32 +205,4 @@ impl Wireframe {
         let all = self.core.unprinted.iter();
         all.map(|u| (reason(u.reason), u.low, u.high, u.area, u.place.to_array())).collect()
     }
-}
-
-/// Contours of many slices as a dict of read-only arrays.
-pub fn contours<'py, S: AsRef<[Contour]>>(
-    py: Python<'py>,
-    slices: &[S],
-) -> PyResult<Bound<'py, PyDict>> {
-    let all = || slices.iter().flat_map(AsRef::as_ref);
-    let points = all().flat_map(|c| &c.points).flat_map(|p| p.to_array()).collect();
-    let parent = |c: &Contour| c.parent.map_or(-1, i64::from);
-    let dict = PyDict::new(py);
-    dict.set_item("points", arrays::matrix(py, points, 2)?)?;
-    dict.set_item("offsets", offsets(py, all().map(|c| c.points.len())))?;
-    dict.set_item("slice_offsets", offsets(py, slices.iter().map(|s| s.as_ref().len())))?;
-    dict.set_item("parent", arrays::vector(py, all().map(parent).collect()))?;
-    dict.set_item("depth", arrays::vector(py, all().map(|c| c.depth).collect()))?;
-    dict.set_item("area", arrays::vector(py, all().map(|c| c.area).collect()))?;
-    dict.set_item("closed", arrays::vector(py, all().map(|c| c.closed).collect()))?;
-    Ok(dict)
-}
-
-fn offsets(py: Python<'_>, lengths: impl Iterator<Item = usize>) -> Bound<'_, PyArray1<i64>> {
-    let mut sum = 0;
-    let ends = lengths.map(|n| {
-        sum += n as i64;
-        sum
-    });
-    arrays::vector(py, std::iter::once(0).chain(ends).collect())
 }

@@ -165,12 +165,6 @@ impl Curve {
         &self.points
     }
 
-    /// Arc lengths of the vertices, mm.
-    #[must_use]
-    pub fn arc_lengths(&self) -> &[f64] {
-        &self.at
-    }
-
     /// Brings an arc length into the curve: modulo the length if closed, clamped if open.
     #[must_use]
     pub fn wrap(&self, s: f64) -> f64 {

@@ -5,17 +5,9 @@ use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 
 use super::params::PathParams;
+use super::tuning::{MOST_RINGS, ROUND, SAFE};
 use crate::geometry::polygon::convex_hull;
 use crate::strand::{Kind, Strand};
-
-/// Largest angle between two strokes of an outline's rounded corner, rad.
-const ROUND: f64 = 0.3;
-
-/// A print stands safely on a foot as wide as this part of its height; estimated.
-const SAFE: f64 = 0.25;
-
-/// Most rings of a brim that follows from the foot: a wider one lifts the foot no better.
-const MOST: f64 = 10.0;
 
 /// Number of a brim's rings: as many as are asked for; else as many as widen a foot that is small
 /// for the print's height until it is safe, or so many as are any good.
@@ -23,7 +15,7 @@ pub fn rings(first: &[&Strand], height: f64, p: &PathParams) -> u32 {
     p.brim_rings.unwrap_or_else(|| {
         let foot = first.iter().flat_map(|s| [s.from.truncate(), s.to.truncate()]);
         let missing = SAFE * height - width(&convex_hull(foot.collect()));
-        (missing / (2.0 * p.strand)).ceil().clamp(0.0, MOST) as u32
+        (missing / (2.0 * p.strand)).ceil().clamp(0.0, MOST_RINGS) as u32
     })
 }
 

@@ -9,10 +9,8 @@ use super::bed::{brim, rings, skirt};
 use super::mechanics::{air, airy_share, pause, speed};
 use super::params::{PathParams, Strategy};
 use super::pressure::{Pressure, wanted};
+use super::tuning::{LEAST_PAUSE, SHORT};
 use crate::strand::{Kind, Strand};
-
-/// Travels shorter than this, mm, the lift aside, need no retraction: little oozes out.
-const SHORT: f64 = 1.0;
 
 /// The moves that print `strands` in their order.
 #[must_use]
@@ -172,7 +170,7 @@ impl<'a> Builder<'a> {
             // To pull filament back and to give it again takes time in which the strand holds, too.
             Some(eased) => {
                 let standing = eased * (p.retract_speed.recip() + p.unretract_speed.recip());
-                self.feed(strand, -eased, (pause - standing).max(pause / 2.0));
+                self.feed(strand, -eased, (pause - standing).max(LEAST_PAUSE * pause));
             }
             None => {
                 if let Some(last) = self.path.pause.last_mut() {

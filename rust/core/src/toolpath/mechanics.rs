@@ -1,20 +1,8 @@
 //! How strands are made to hold and to bond: speed, and when the air blows.
 
 use super::params::{Climb, Cooling, PathParams, Strategy};
+use super::tuning::{BOND, LEAST_PAUSE, LONG_ENOUGH, SOFT};
 use crate::strand::Strand;
-
-/// A stroke that must bond to what it ends on is printed without air for this many strand
-/// diameters at its end …
-const BOND: f64 = 2.0;
-/// … if it is this many times as long: a valve needs its time, and air along a stroke is worth more
-/// than none at its joint.
-const LONG_ENOUGH: f64 = 3.0;
-
-/// Whether a stroke holds is decided by so many strand diameters at its end: what of them is soft
-/// bends under the pull. In the model of a rod that must not lean by half its diameter, 9 of 0.7 mm
-/// or 6 of 0.4 mm may be soft; the pause that is left at 5, 10, 30 and 60 mm/s says the same.
-/// Doubled, strokes of slow axes would be left while they are softer than the others'.
-const SOFT: f64 = 6.0;
 
 /// Speed of a strand, mm/s.
 pub fn speed(strand: &Strand, p: &PathParams) -> f64 {
@@ -55,7 +43,7 @@ pub fn airy_share(strand: &Strand, lands: bool, p: &PathParams) -> f64 {
 /// the axis that raises it is slow. At least half of it is kept.
 pub fn pause(strand: &Strand, p: &PathParams) -> f64 {
     let cooled = p.climb.map_or(0.0, |climb| lateness(strand, climb, p));
-    p.pause - cooled.clamp(0.0, 0.5 * p.pause)
+    p.pause - cooled.clamp(0.0, LEAST_PAUSE * p.pause)
 }
 
 /// How much longer than at its own speed the end of a stroke takes that an axis raises, s. The axis

@@ -5,6 +5,7 @@ mod build;
 mod mechanics;
 mod params;
 mod pressure;
+mod tuning;
 
 use glam::DVec3;
 

@@ -53,18 +53,27 @@ fn the_same_model_is_printed_the_same_again() {
 }
 
 #[test]
-fn scaled_with_its_printer_a_print_has_as_many_posts() {
-    // Heights are chosen by times, which do not scale: the chain of slabs is given by the block.
-    for mesh in [crate::shapes::block(18.0, 24.0), crate::shapes::cylinder(18.0, 24.0)] {
-        let posts = |scale: f64| {
-            let scaled =
-                crate::solids::moved(&mesh, glam::DMat3::IDENTITY * scale, glam::DVec3::ZERO);
-            let printer = Printer::new(scale, 32.0);
-            printer.print(&scaled).frame.posts.len() as f64
+fn scaled_with_its_printer_a_print_has_as_many_posts_on_the_same_levels() {
+    use crate::shapes::{ball, block, cylinder, ring, wheel};
+    let solids = [block(18.0, 24.0), cylinder(18.0, 24.0), wheel(), ball(22.0), ring()];
+    for mesh in solids {
+        let scaled = |scale: f64| {
+            let own = glam::DMat3::IDENTITY * scale;
+            let print = Printer::new(scale, 32.0).print(&crate::solids::moved(
+                &mesh,
+                own,
+                glam::DVec3::ZERO,
+            ));
+            let levels = print.frame.sliced.levels.iter().map(|level| level.z / scale);
+            (print.frame.posts.len() as f64, levels.collect::<Vec<_>>())
         };
+        let (posts, levels) = scaled(1.0);
         for scale in [0.5, 0.7, 1.5, 2.0] {
-            let (one, other) = (posts(1.0), posts(scale));
-            assert!((other / one - 1.0).abs() < 0.15, "{scale}: {other} posts, not {one}");
+            let (own, heights) = scaled(scale);
+            assert!((own / posts - 1.0).abs() <= 0.02, "{scale}: {own} posts, not {posts}");
+            assert_eq!(heights.len(), levels.len());
+            let off = heights.iter().zip(&levels).map(|(a, b)| (a - b).abs());
+            assert!(off.fold(0.0, f64::max) < 0.02, "{scale}: {heights:?}, not {levels:?}");
         }
     }
 }

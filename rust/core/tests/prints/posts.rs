@@ -9,16 +9,19 @@ use wireprint_core::wireframe::place::walls::Walls;
 use wireprint_core::wireframe::place::zigzag::{Placement, Step, ZigzagInput, zigzag};
 
 use crate::printer::{Print, Printer};
-use crate::rules::{breaches, figures};
+use crate::rules::{Figures, breaches, figures};
 use crate::shapes::{block, cylinder, leaning, pocket};
 use crate::solids::Random;
 
 #[test]
 fn posts_of_upright_walls_stand_on_the_peaks_below() {
     for printer in Printer::all() {
-        for (mesh, least) in [(block(18.0, 20.0), 0.93), (cylinder(18.0, 20.0), 0.92)] {
-            let aligned = figures(&printer.print(&mesh)).aligned;
-            assert!(aligned >= least, "{aligned} of the posts stand on peaks");
+        for mesh in [block(18.0, 20.0), cylinder(18.0, 20.0)] {
+            let Figures { aligned, on_joints, .. } = figures(&printer.print(&mesh));
+            // A candidate that stands less than a strand beside a peak is on the same joint, and costs
+            // next to nothing for it: where spacing is the more even by that, it is taken.
+            assert!(on_joints == 1.0, "{on_joints} of the posts stand on the joints below");
+            assert!(aligned >= 0.92, "{aligned} of the posts stand on peaks");
         }
     }
 }

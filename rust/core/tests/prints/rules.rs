@@ -177,20 +177,26 @@ pub struct Figures {
     pub diagonals: usize,
     /// Share of the posts above the lowest slab that stand on a peak.
     pub aligned: f64,
+    /// Share of them that stand within a strand's diameter of one.
+    pub on_joints: f64,
 }
 
 /// Posts, and how many of them stand on the peaks of those below.
 pub fn figures(print: &Print) -> Figures {
     let posts = &print.frame.posts;
     let upper: Vec<_> = posts.iter().filter(|p| p.slab > 0).collect();
-    let on_peak = upper.iter().filter(|upper| {
-        let below = posts.iter().filter(|p| p.slab + 1 == upper.slab);
-        below.map(|p| p.post.peak.distance(upper.post.base)).any(|off| off < 1e-3)
-    });
+    let share = |near: f64| {
+        let on_peak = upper.iter().filter(|upper| {
+            let below = posts.iter().filter(|p| p.slab + 1 == upper.slab);
+            below.map(|p| p.post.peak.distance(upper.post.base)).any(|off| off < near)
+        });
+        on_peak.count() as f64 / upper.len().max(1) as f64
+    };
     Figures {
         posts: posts.len(),
         diagonals: print.count(Kind::Diagonal),
-        aligned: on_peak.count() as f64 / upper.len().max(1) as f64,
+        aligned: share(1e-3),
+        on_joints: share(print.printer.wire.strand),
     }
 }
 

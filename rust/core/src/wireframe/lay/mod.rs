@@ -23,6 +23,8 @@ pub mod on_layers;
 pub mod order;
 pub mod pairs;
 pub mod ring;
+#[cfg(test)]
+mod scene;
 pub mod slab;
 pub mod stand;
 pub mod strokes;

@@ -76,3 +76,6 @@ impl<'a> Obstacles<'a> {
         self.head.deeper_than(self.squash(), path, strand).is_some()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -52,3 +52,6 @@ pub fn is_on_layers(cx: &Context, curve: &Curve, level: usize) -> bool {
         polygon::is_within(layers.lids.iter().map(Vec::as_slice), p) || footing.holds(p, near)
     })
 }
+
+#[cfg(test)]
+mod tests;

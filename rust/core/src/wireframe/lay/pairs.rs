@@ -201,3 +201,6 @@ fn places(
     }
     found
 }
+
+#[cfg(test)]
+mod tests;

@@ -165,3 +165,6 @@ pub fn tie_over(cx: &Context, journal: &Journal, top: &Top, curve: &Curve, is_wo
 fn spokes_key(journal: &Journal, spacing: f64) -> (u32, u64) {
     (journal.slab(), spacing.to_bits())
 }
+
+#[cfg(test)]
+mod tests;

@@ -199,3 +199,6 @@ fn settle(posts: &[Post], all: &[Candidate], head: &Head) -> Vec<Post> {
     }
     kept
 }
+
+#[cfg(test)]
+mod tests;

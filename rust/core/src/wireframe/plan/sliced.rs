@@ -183,19 +183,24 @@ fn stacks<'a>(
 /// What a point of a contour takes while slices are cut and nested, bytes.
 const PER_POINT: f64 = 256.0;
 
-/// Refuses slices that there is no memory for: each face gives a point to every slice that it
-/// crosses.
+/// Refuses slices that there is no memory for.
 fn claim_slices(mesh: &Mesh, levels: &[Level]) -> Result<()> {
+    let points = points(mesh, levels);
+    memory::claim((PER_POINT * points as f64) as u64, || {
+        format!("{} slices of {} triangles", levels.len(), mesh.faces.len())
+    })
+}
+
+/// The points of all slices at most: each face gives one to every slice that it crosses, two slices a
+/// level and those within it.
+fn points(mesh: &Mesh, levels: &[Level]) -> usize {
     let crossed = |f: usize| {
         let [a, b, c] = mesh.corners(f).map(|corner| corner.z);
         let first = levels.partition_point(|l| l.high < a.min(b).min(c));
         let last = levels.partition_point(|l| l.low <= a.max(b).max(c)).max(first);
         levels[first..last].iter().map(|level| 2 + level.between.len()).sum::<usize>()
     };
-    let points: usize = (0..mesh.faces.len()).into_par_iter().map(crossed).sum();
-    memory::claim((PER_POINT * points as f64) as u64, || {
-        format!("{} slices of {} triangles", levels.len(), mesh.faces.len())
-    })
+    (0..mesh.faces.len()).into_par_iter().map(crossed).sum()
 }
 
 /// What a strand takes until it is written and judged, bytes: measured on a million of them.
@@ -207,17 +212,22 @@ impl Sliced {
     /// # Errors
     /// [`CoreError::Memory`].
     pub fn claim_strands(&self, strokes: &Strokes) -> Result<()> {
-        let slabs = self.levels.windows(2).zip(&self.lower[1..]);
+        let strands = self.strands(strokes);
+        memory::claim((PER_STRAND * strands) as u64, || {
+            format!("a wire print of about {strands:.0} strands")
+        })
+    }
+
+    /// About how many strands the wireframe will have.
+    fn strands(&self, strokes: &Strokes) -> f64 {
+        let slabs = self.levels.windows(2).zip(self.lower.iter().skip(1));
         let strands = slabs.map(|(levels, contours)| {
             let run = strokes.run(levels[1].z - levels[0].z);
             let length = |c: &Contour| polygon::length(&c.points, c.closed);
             // A post, a diagonal and a chord of the contour for each run.
             contours.iter().map(|c| 1.0 + 3.0 * length(c) / run).sum::<f64>()
         });
-        let strands = strands.sum::<f64>();
-        memory::claim((PER_STRAND * strands) as u64, || {
-            format!("a wire print of about {strands:.0} strands")
-        })
+        strands.sum()
     }
 }
 
@@ -261,3 +271,6 @@ impl Sliced {
         contours.flat_map(|c| c.points.iter().copied())
     }
 }
+
+#[cfg(test)]
+mod tests;

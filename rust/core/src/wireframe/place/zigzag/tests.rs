@@ -1,0 +1,101 @@
+//! Posts of one contour: which of them stay, and which diagonals join them.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use super::*;
+use crate::printer::Printer;
+use crate::solids::Random;
+
+const HEIGHT: f64 = 4.0;
+
+/// Candidates at some places of a curve, each over its own foot.
+fn all(curve: &Curve, places: &[f64]) -> Vec<Candidate> {
+    let candidate = |&s: &f64| {
+        let station = curve.station(0.0, s);
+        let peak = station.position().extend(HEIGHT);
+        let post = Post { base: peak.with_z(0.0), peak, s };
+        Candidate { post, station, offset: 0.0, spacing: 0.0, room: f64::INFINITY, kept: None }
+    };
+    places.iter().map(candidate).collect()
+}
+
+/// A hairpin: two legs of 60 mm, `gap` mm apart.
+fn hairpin(gap: f64) -> Curve {
+    let points = [(0.0, 0.0), (60.0, 0.0), (60.0, gap), (0.0, gap)].map(DVec2::from);
+    Curve::new(&points, false).unwrap()
+}
+
+fn clear(head: &Head, a: &Post, b: &Post) -> bool {
+    let apart = |a: &Post, b: &Post| a.peak.truncate().distance(b.base.truncate());
+    apart(a, b).min(apart(b, a)) >= head.clearance(HEIGHT) - 1e-9
+}
+
+#[test]
+fn posts_that_are_not_clear_of_earlier_ones_move_to_the_nearest_free_place_or_go() {
+    let (head, mut random) = (Printer::paper().head, Random(23));
+    let (mut moved, mut gone) = (0, 0);
+    for _ in 0..150 {
+        let curve = hairpin(random.between(2.0, 8.0));
+        let places: Vec<f64> = (0..120).map(|i| curve.length() * f64::from(i) / 120.0).collect();
+        let candidates = all(&curve, &places);
+        let step = 13 + (random.unit() * 6.0) as usize;
+        let posts: Vec<Post> = candidates.iter().step_by(step).map(|c| c.post).collect();
+        let found = settle(&posts, &candidates, &head);
+        // One by one, as it is told.
+        let mut wanted: Vec<Post> = Vec::new();
+        for (i, post) in posts.iter().enumerate() {
+            let free = |p: &Post| wanted.iter().all(|k| clear(&head, k, p));
+            if free(post) {
+                wanted.push(*post);
+                continue;
+            }
+            let after = wanted[wanted.len() - 1].s;
+            let before = posts.get(i + 1).map_or(f64::INFINITY, |next| next.s);
+            let others = candidates.iter().map(|c| c.post);
+            let place = others
+                .filter(|p| after < p.s && p.s < before && free(p))
+                .reduce(|a, b| if (b.s - post.s).abs() < (a.s - post.s).abs() { b } else { a });
+            if place.is_some() {
+                moved += 1
+            } else {
+                gone += 1
+            }
+            wanted.extend(place);
+        }
+        assert_eq!(found, wanted);
+        for (i, one) in found.iter().enumerate() {
+            assert!(found[..i].iter().all(|other| clear(&head, one, other)));
+        }
+    }
+    assert!(moved > 20 && gone > 20, "{moved} moved, {gone} gone");
+}
+
+#[test]
+fn posts_of_the_plain_print_stay_and_others_give_way() {
+    let (head, curve) = (Printer::paper().head, hairpin(4.0));
+    let mut candidates = all(&curve, &[5.0, 20.0, 40.0, 80.0, 90.0, 104.0]);
+    for i in [1, 4] {
+        candidates[i].kept = Some(crate::wireframe::place::posts::Rank { number: i, next: i + 1 });
+    }
+    let posts: Vec<Post> = candidates.iter().map(|c| c.post).collect();
+    let found: Vec<f64> =
+        beside_kept(&posts, &candidates, &head).iter().map(|post| post.s).collect();
+    // Across the gap from 20 lies 104, and from 90 lies 34: 40 is 6 mm and a gap away from that.
+    let wanted: Vec<f64> = posts
+        .iter()
+        .filter(|p| [1, 4].iter().all(|&i| clear(&head, p, &posts[i]) || p.s == posts[i].s))
+        .map(|p| p.s)
+        .collect();
+    assert_eq!(found, wanted);
+    assert!(found.contains(&20.0) && found.contains(&90.0) && !found.contains(&104.0));
+}
+
+#[test]
+fn spacings_divide_a_contour_evenly() {
+    use crate::wireframe::place::posts::even_spacing;
+    for (length, least, wanted) in
+        [(100.0, 9.0, 100.0 / 11.0), (100.0, 50.0, 50.0), (10.0, 30.0, 10.0)]
+    {
+        assert_eq!(even_spacing(length, least), wanted);
+    }
+}
