@@ -9,16 +9,16 @@ import trimesh
 from wireprint._core import Mesh
 from wireprint.hybrid.prove import proved
 from wireprint.hybrid.sketch import Sketch
-from wireprint.regions import Region, ZRange
+from wireprint.regions import Box, Region, ZRange
 from wireprint.settings import Settings
 
 SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]"])
 SPAN_MM = SETTINGS.wire.span_limit_mm
 
 
-def _sketch(solid):
+def _sketch(solid, settings=SETTINGS):
     solid.apply_translation((0, 0, -solid.bounds[0, 2]))
-    return Sketch.of(Mesh.from_arrays(solid.vertices, solid.faces), SETTINGS)
+    return Sketch.of(Mesh.from_arrays(solid.vertices, solid.faces), settings)
 
 
 def _band(sketch, low_mm, high_mm):
@@ -35,6 +35,26 @@ def test_a_band_keeps_its_runs_however_wide_the_hollow_below(wide_mm, low_mm):
     found, share = _band(sketch, low_mm, 28.0)
     assert found.rounds == 1
     assert share > 0.99
+
+
+#: A strand of 0.4 mm touches 0.35 mm aside of one that lies 0.2 mm lower: flat slopes lead farther.
+SLIM = Settings.load("prusa-mk4s", "pla", overrides=["gcode.thumbnails=[]"])
+
+
+@pytest.mark.parametrize(("flat_deg", "least"), [(15, 0.7), (20, 0.98), (30, 0.75), (45, 0.98)])
+@pytest.mark.parametrize("turn_deg", [0, 180], ids=["closing", "opening"])
+def test_slim_strands_climb_slopes(flat_deg, least, turn_deg):
+    rise_mm = 30.0 * np.tan(np.radians(flat_deg))
+    profile = [(0, 0), (40, 0), (40, 2), (10, 2 + rise_mm), (10, 6 + rise_mm), (0, 6 + rise_mm)]
+    solid = trimesh.creation.revolve(np.array([*profile, profile[0]], float), sections=64)
+    solid.apply_transform(trimesh.transformations.rotation_matrix(np.radians(turn_deg), (1, 0, 0)))
+    sketch = _sketch(solid, SLIM)
+    low_mm = 2.0 if turn_deg == 0 else 4.0
+    mark = Box(low_mm=(2.0, -8.0, low_mm), high_mm=(45.0, 8.0, low_mm + rise_mm))
+    found = proved(sketch, Region().add(mark))
+    kept = sum(run.area_mm2 for run in found.plan.sections)
+    lost = sum(run.area_mm2 for run, _ in found.plan.runs.dropped)
+    assert kept > least * (kept + lost)
 
 
 def test_a_narrow_floor_is_closed_in_its_first_layer():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,10 +19,11 @@ if TYPE_CHECKING:
     Ints = npt.NDArray[np.int64]
     Bools = npt.NDArray[np.bool_]
 
-#: What is this part of a strand away, in plan, touches on the same layer, and on a neighbour.
+#: What is this part of a strand away, in plan, touches on the same layer.
 _TOUCH_BESIDE = 0.98
-_TOUCH = 0.9
-#: The same for the rim of a slab, whose strand may stray by half its diameter.
+#: The same on a neighbouring layer, as a part of the farthest that still touches.
+_TOUCH = 0.94
+#: The same, as a part of a strand, for the rim of a slab, which may stray by half its diameter.
 _TOUCH_RIM = 0.45
 #: A line that begins or ends in the air is searched for support in steps of this part of a strand.
 _STEP = 0.4
@@ -32,7 +34,7 @@ _APART_MM = 1e4
 #: Layers that share a tree.
 _TOGETHER = 32
 #: Most times that all lines are gone through.
-_PASSES = 4
+_PASSES = 24
 #: What is left of a line must be this many strands long.
 _LEAST = 1.5
 
@@ -56,6 +58,9 @@ class Touchable:
             Diameter of a strand, mm.
         """
         self.strand_mm = strand_mm
+        # Strands touch whose centrelines are one strand apart: in plan less, by a layer's height.
+        thickest_mm = min(float(cut.thickness.max(initial=0.0)), strand_mm)
+        self.touch_mm = _TOUCH * math.sqrt(strand_mm**2 - thickest_mm**2)
         segments, contour = _segments(cut)
         layer = cut.layer[contour]
         # The rims of slabs count as lines of the layer at that height; a bed has its own.
@@ -87,31 +92,36 @@ def anchored(route: Route, touchable: Touchable) -> Route:
     if len(route.offsets) < 2:
         return route
     # What is cut off may have held what is printed later.
+    waits, waiting = True, len(route.offsets)
     for _ in range(_PASSES):
-        mended = _mended(route, _Ground(route, touchable))
+        mended, late = _mended(route, _Ground(route, touchable, waits=waits))
         if mended is route:
             break
+        # Where the order helps no more, what nothing holds is done without.
+        waits, waiting = waits and 0 < late < waiting, late
         route = mended
     return route
 
 
-def _mended(route: Route, ground: _Ground) -> Route:
+def _mended(route: Route, ground: _Ground) -> tuple[Route, int]:
+    """Return the mended lines, the same object if there is nothing to mend, and how many wait."""
     begins, ends = route.offsets[:-1], route.offsets[1:]
     lines = np.arange(len(begins))
     loose = ~ground.holds(route.points[begins, :2], lines)
-    loose |= ~ground.holds(route.points[ends - 1, :2], lines, _TOUCH)
+    loose |= ~ground.holds(route.points[ends - 1, :2], lines, barely=True)
     if not loose.any():
-        return route
+        return route, 0
     pieces: list[tuple[Floats, int]] = []
     layers: list[Ints] = []
     late: list[tuple[Floats, int]] = []
-    changed = False
+    changed, waiting = False, 0
     for line in lines:
         points, layer = route.points[begins[line] : ends[line]], ground.layer[line]
         group = int(route.group[line])
         parts = ground.mended(points, int(line)) if loose[line] else [points]
         if parts is None:
             late.append((points, group))
+            waiting += 1
             parts = []
         changed |= len(parts) != 1 or not np.array_equal(parts[0], points)
         laid = [(part, group) for part in parts]
@@ -120,38 +130,41 @@ def _mended(route: Route, ground: _Ground) -> Route:
         pieces += laid
         layers += [np.full(len(part), layer) for part, _ in laid]
     if not (pieces and changed):
-        return route
+        return route, 0
     offsets = np.concatenate([[0], np.cumsum([len(part) for part, _ in pieces])]).astype(np.int64)
     points = np.concatenate([part for part, _ in pieces])
     groups = np.array([group for _, group in pieces])
-    return Route(points, np.concatenate(layers), offsets, groups)
+    return Route(points, np.concatenate(layers), offsets, groups), waiting
 
 
 class _Ground:
     """What is there before each line is printed, and what will be."""
 
-    def __init__(self, route: Route, touchable: Touchable) -> None:
+    def __init__(self, route: Route, touchable: Touchable, *, waits: bool) -> None:
+        #: Whether what nothing holds waits for the rest of its layer.
+        self.waits = waits
         self.layer = route.layer[route.offsets[:-1]]
         line = np.repeat(np.arange(len(self.layer)), np.diff(route.offsets))
         own = np.flatnonzero(line[1:] == line[:-1])
-        self.strand_mm = touchable.strand_mm
+        self.strand_mm, self.touch_mm = touchable.strand_mm, touchable.touch_mm
         self.order = line[own]
         ends = np.stack([route.points[own, :2], route.points[own + 1, :2]], axis=1)
         self.lines = _Layers(ends, self.layer[line[own]])
         self.contours, self.rims = touchable.contours, touchable.rims
 
-    def holds(self, points: Floats, line: Ints, rim: float = _TOUCH_RIM) -> Bools:
+    def holds(self, points: Floats, line: Ints, *, barely: bool = False) -> Bools:
         """Tell which points lie on what is there before the lines of these numbers.
 
-        Rims count that are at most the part `rim` of a strand away.
+        A rim must be so near that it holds wherever its strand strays to, or only `barely`.
         """
         held = np.zeros(len(points), dtype=bool)
-        layer, touch = self.layer[line], _TOUCH * self.strand_mm
+        layer, touch = self.layer[line], self.touch_mm
         beside = _TOUCH_BESIDE * self.strand_mm
         held[self.lines.near(points, layer - 1, touch)[0]] = True
         asked, found = self.lines.near(points, layer, beside)
         held[asked[self.order[found] < line[asked]]] = True
-        held[self.rims.near(points, layer - 1, rim * self.strand_mm)[0]] = True
+        rim = touch if barely else min(_TOUCH_RIM * self.strand_mm, touch)
+        held[self.rims.near(points, layer - 1, rim)[0]] = True
         return held
 
     def mended(self, points: Floats, line: int) -> list[Floats] | None:
@@ -164,12 +177,12 @@ class _Ground:
         along = np.linspace(0.0, string.length, count + 1)
         places = shapely.get_coordinates(shapely.line_interpolate_point(string, along))
         lines = np.full(len(places), line)
-        held, met = self.holds(places, lines), self.holds(places, lines, _TOUCH)
+        held, met = self.holds(places, lines), self.holds(places, lines, barely=True)
         if not held.any():
             held = met
         if not held.any():
-            # An outer wall may lean on the fill behind it; others can be done without.
-            return None if self._is_outer(places, line) else []
+            # It may lean on what comes later; only outer walls cannot be done without.
+            return None if self.waits or self._is_outer(places, line) else []
         first, last = np.flatnonzero(met)[[0, -1]]
         path = _Path(points)
         if held[first]:

@@ -35,7 +35,8 @@ class Fringe:
 
     #: The walls, the outer ones first.
     groups: list[Group]
-    #: Centre lines of the innermost walls, by layer, shape (K,).
+    #: Centre lines of the outer and the innermost walls, by layer, shape (K,).
+    outer: Geometries
     innermost: Geometries
     #: How far these lie behind the surface, mm.
     inward_mm: float
@@ -66,16 +67,19 @@ def fringe(
     """
     strings, contour = _strings(cut, samples, painted, _SHORTEST * recipe.width_mm)
     lines, layer = strings, cut.layer[contour]
-    groups, inward = [], inset_mm
+    groups, inward, outer = [], inset_mm, strings
     for number in range(max(recipe.perimeters, 1) if len(strings) else 0):
         inward = inset_mm + number * recipe.spacing_mm
         lines = shapely.offset_curve(strings, inward, join_style="mitre") if inward else strings
         if number:
             room = offset(areas, -(inward - _ASIDE * recipe.width_mm))
             lines = shapely.intersection(lines, room[layer])
+        else:
+            outer = lines
         least_mm = _SHORTEST * recipe.width_mm
         groups.append(Group.of_strings(lines, layer, least_mm, is_inside=number > 0))
-    return Fringe(groups, _by_layer(lines, layer, len(areas)), inward)
+    outermost, innermost = (_by_layer(each, layer, len(areas)) for each in (outer, lines))
+    return Fringe(groups, outermost, innermost, inward)
 
 
 def _by_layer(lines: Geometries, layer: Ints, count: int) -> Geometries:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
+from wireprint.hybrid.aprons import aprons
 from wireprint.hybrid.depth import Depth, Inside, behind, depth
 from wireprint.hybrid.floors import Floors, floors
 from wireprint.hybrid.fringe import Fringe, fringe
@@ -97,7 +98,10 @@ def lay(
     # What carries the fill of the layers above: where there is none, they begin with a floor.
     filled = shapely.union(deep.filled, floor.firm)
     stack = Stack(areas, filled, recipe)
+    outer, inner = (shapely.boundary(offset(solid, -mm)) for mm in (inset_mm, walls_mm))
+    outer, inner = shapely.union(outer, edge.outer), shapely.union(inner, edge.innermost)
     groups = [
+        *aprons(cut, areas, outer, shapely.union(outer, inner), recipe),
         *_islands(solid, floor, stack, inset_mm),
         *edge.groups,
         *stack.filled(deep.filled, edge.innermost, deep.turn_rad),

@@ -120,8 +120,8 @@ def islands(geometries: Geometries) -> tuple[Geometries, npt.NDArray[np.int64]]:
     return parts[is_area], origin[is_area]
 
 
-def buffered(geometries: Any, distance_mm: float, **options: Any) -> Any:
-    """Grow areas by a distance, mm, as `shapely.buffer` does.
+def buffered(geometries: Any, distance_mm: float | npt.NDArray[np.float64], **options: Any) -> Any:
+    """Grow areas by a distance, mm, or each by one of its own, as `shapely.buffer` does.
 
     Notes
     -----

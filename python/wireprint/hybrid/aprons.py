@@ -1,0 +1,89 @@
+"""Strands beside each other that lead up to a wall which lies aside of what is below it.
+
+A shallow slope carries the next layer's wall further aside than strands touch. The first of these
+strands touches the rim below, each leans on the one before, and the wall on the last one: so roofs
+are printed in arcs as well.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import shapely
+
+from wireprint.hybrid.group import Group
+from wireprint.layerwise.areas import Geometries, buffered
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from wireprint.hybrid.cut import Cut
+    from wireprint.layerwise.recipe import Recipe
+
+    Floats = npt.NDArray[np.float64]
+    Ints = npt.NDArray[np.int64]
+
+#: From strand to strand, and to the rim, as a part of the farthest that still touches.
+_TOUCH = 0.9
+#: Most strands beside each other.
+_MOST = 16
+#: Strands nearer to a wall than this part of their distance from each other are left to it.
+_DOUBLE = 0.15
+#: Pieces shorter than this many line widths are left out.
+_SHORTEST = 1.0
+
+
+def aprons(
+    cut: Cut, areas: Geometries, outer: Geometries, walls: Geometries, recipe: Recipe
+) -> list[Group]:
+    """Lay strands from the rims below towards outer walls that nothing else holds.
+
+    Parameters
+    ----------
+    cut
+        The layers.
+    areas
+        What the model covers on each layer, shape (K,).
+    outer, walls
+        The centre lines of the outer walls on each layer, and of all walls, shape (K,).
+    recipe
+        Widths.
+    """
+    step_mm = _TOUCH * np.sqrt(np.maximum(recipe.width_mm**2 - cut.thickness**2, 0.0))
+    layers = 1 + np.flatnonzero(~shapely.is_empty(outer[1:]) & (step_mm[1:] > 0))
+    below, step = areas[layers - 1], step_mm[layers]
+    # Below lie the walls of the last layer, and at a slab's foot the rims of the wire.
+    rims = np.where(cut.is_last()[layers - 1], shapely.boundary(below), outer[layers - 1])
+    rims = shapely.union(rims, outer[layers - 1])
+    loose = shapely.difference(outer[layers], buffered(rims, step))
+    # Walls that close in find the fill of the layer below under them, where there is one.
+    closing = shapely.intersection(loose, below)
+    inner = buffered(walls[layers - 1], _MOST * step)
+    loose = shapely.union(shapely.difference(loose, below), shapely.difference(closing, inner))
+    near = shapely.distance(loose, rims) < _MOST * step
+    wanted = near & (shapely.length(loose) > _SHORTEST * recipe.width_mm)
+    layers, below, loose, rims, step = (each[wanted] for each in (layers, below, loose, rims, step))
+    if not len(layers):
+        return []
+    between = shapely.symmetric_difference(areas[layers], below)
+    reach = np.array([_reach(*pair) for pair in zip(loose, rims, strict=True)])
+    reach = np.minimum(reach + step, _MOST * step)
+    room = shapely.intersection(between, buffered(loose, reach))
+    room = shapely.intersection(room, buffered(rims, reach))
+    room = shapely.difference(room, buffered(walls[layers], _DOUBLE * step))
+    groups = []
+    for number in range(1, _MOST + 1):
+        sides = [shapely.boundary(buffered(below, way * number * step)) for way in (1, -1)]
+        strings = shapely.intersection(shapely.union(*sides), room)
+        if shapely.is_empty(strings).all():
+            break
+        least_mm = _SHORTEST * recipe.width_mm
+        groups.append(Group.of_strings(strings, layers, least_mm, is_inside=True))
+    return groups
+
+
+def _reach(loose: shapely.Geometry, rims: shapely.Geometry) -> float:
+    """Return how far the farthest corner of some lines is from others, mm."""
+    corners = shapely.points(shapely.get_coordinates(loose))
+    return float(shapely.distance(corners, rims).max())
