@@ -37,6 +37,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "simulate",
         "Forecast whether strands hold, sag, meet and weld.",
     ),
+    "calibrate": (
+        "wireprint.cli.calibrate",
+        "calibrate",
+        "Write small prints that make forecasts true for your printer, and fit them.",
+    ),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
     "compare": (
         "wireprint.cli.compare",

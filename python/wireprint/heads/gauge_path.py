@@ -89,8 +89,19 @@ class Path:
             self._add(self.at, _RETRACT, extruder.retract_speed_mm_s, filament=-extruder.retract_mm)
         self.full = False
 
-    def strand(self, to: Point, kind: int, *, pause: bool = False) -> None:
-        """Lay a strand to a place, and stay there until it holds."""
+    def strand(
+        self,
+        to: Point,
+        kind: int,
+        *,
+        pause: bool = False,
+        pause_s: float | None = None,
+        share: float = 1.0,
+    ) -> None:
+        """Lay a strand to a place, at a share of its speed, and stay there until it holds.
+
+        `pause_s` is how long, where that is not the settings' pause.
+        """
         settings = self.settings
         length = math.dist(self.at, to)
         area = (
@@ -98,7 +109,8 @@ class Path:
         ) ** 2
         speed = settings.first_layer_mm_s if kind == _SKIRT else settings.print_mm_s
         held = settings.pause_s if pause else 0.0
-        self._add(to, kind, speed, filament=length * area, pause=held)
+        held = held if pause_s is None else pause_s
+        self._add(to, kind, share * speed, filament=length * area, pause=held)
         self.top = max(self.top, to[2])
 
     def touch(self, at: Point, along: Point | None = None) -> None:

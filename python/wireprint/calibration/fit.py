@@ -1,0 +1,156 @@
+"""The fit of calibration prints: least squares with priors, and what it predicts.
+
+Fitted are the logarithms of air speed and viscosity, the draw, and the glass transition. Many of
+them fit as well: predictions are calibrated, parameters are not. So what is kept is the pause and
+the sags that follow, with their spread, and never a parameter.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from wireprint import _core
+from wireprint.calibration.answers import SAG_MM
+from wireprint.calibration.prints import LENGTHS_MM
+from wireprint.forecast_terms import air_mm_s, matter_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy.typing as npt
+
+    from wireprint.calibration.answers import Answers
+    from wireprint.settings import Settings
+
+    Array = npt.NDArray[np.float64]
+
+#: How well parameters are known before: logarithms of air speed and viscosity, draw, and K.
+PRIORS: Final = (0.5, 0.7, 0.05, 8.0)
+#: Steps of the finite differences, in priors.
+_STEP: Final = 0.2
+#: Steps of Gauss and Newton; slopes are taken anew in the first of them alone, for each is laid as
+#: a dozen rods, and the model is nearly straight over its priors.
+_STEPS: Final = 4
+_NEW_SLOPES: Final = 2
+#: Nothing is told nearer than this, mm and s: what can be seen on a print.
+_LEAST_MM: Final = 0.02
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """What follows from a fit."""
+
+    pause_s: float
+    pause_spread_s: float
+    #: Length, sag and its spread, mm, at the speed of printing.
+    sags_mm: tuple[tuple[float, float, float], ...]
+    #: By how many deviations the answers are off what was fitted, root mean square.
+    misfit: float
+
+
+def fitted(settings: Settings, answers: Answers) -> Fitted:
+    """Fit answers, and predict the pause and the sags that follow.
+
+    Notes
+    -----
+    Gauss and Newton's method on parameters in units of their priors' deviations, by finite
+    differences. Spreads are those of the posterior, linearised near where it ended.
+    """
+    keys = [(sag.length_mm, sag.speed_mm_s) for sag in answers.sags]
+    told = [(length, settings.print_mm_s) for length in LENGTHS_MM]
+    model = _model(settings, [*keys, *told])
+    measured = [sag.sag_mm for sag in answers.sags]
+    deviations = [SAG_MM] * len(measured)
+    rows = list(range(1, 1 + len(measured)))
+    if answers.pause_s is not None:
+        measured, deviations = [answers.pause_s, *measured], [answers.pause_spread_s, *deviations]
+        rows = [0, *rows]
+    weights = 1 / np.array(deviations)
+    place, unit = np.zeros(len(PRIORS)), np.eye(len(PRIORS))
+    values = slopes = np.zeros(0)
+    for step in range(_STEPS):
+        values = model(place)
+        if step < _NEW_SLOPES:
+            slopes = _slopes(model, place, values)
+        scaled = slopes[rows] * weights[:, None]
+        off = (np.array(measured) - values[rows]) * weights + scaled @ place
+        place = np.linalg.solve(unit + scaled.T @ scaled, scaled.T @ off)
+        place = np.clip(place, -3, 3)
+    values = model(place)
+    scaled = slopes[rows] * weights[:, None]
+    spread = np.linalg.inv(unit + scaled.T @ scaled)
+    deviation = np.sqrt(np.einsum("ij,jk,ik->i", slopes, spread, slopes))
+    off = (np.array(measured) - values[rows]) * weights
+    sags = [
+        (length, max(float(value), _LEAST_MM), float(one))
+        for (length, _), value, one in zip(
+            told, values[-len(told) :], deviation[-len(told) :], strict=True
+        )
+    ]
+    misfit = math.sqrt(float(np.mean(off**2)))
+    return Fitted(float(values[0]), float(deviation[0]), tuple(sags), misfit)
+
+
+def _model(settings: Settings, strands: list[tuple[float, float]]) -> Callable[[Array], Array]:
+    """Return what tells pause and sags by parameters in units of their priors' deviations."""
+    matter = matter_of(settings.material, settings.printer.head.nozzle_mm)
+    air, hold_c = air_mm_s(settings), settings.material.holding_c
+    speeds = sorted({speed for _, speed in strands})
+
+    def predicted(place: Array) -> Array:
+        blown, thick, drawn, hotter = (place * PRIORS).tolist()
+        other = matter | {
+            "glass_c": matter["glass_c"] + hotter,
+            "melt_viscosity_pa_s": matter["melt_viscosity_pa_s"] * math.exp(thick),
+            "draw": max(matter["draw"] + drawn, 1.0),
+        }
+        speed = air * math.exp(blown)
+        found = [_core.cooling_time(matter, hold_c + hotter, speed)]
+        sags = {}
+        for laid in speeds:
+            lengths = sorted({length for length, one in strands if one == laid})
+            tell = _core.sags(other, speed, laid, lengths)
+            sags |= {(length, laid): sag for length, sag in zip(lengths, tell, strict=True)}
+        return np.array([*found, *(sags[strand] for strand in strands)])
+
+    return predicted
+
+
+def _slopes(model: Callable[[Array], Array], place: Array, values: Array) -> Array:
+    """Return slopes at a place where the values are known, of shape (values, parameters)."""
+    steps = np.eye(len(place)) * _STEP
+    return np.array([(model(place + step) - values) / _STEP for step in steps]).T
+
+
+def written(settings: Settings, answers: Answers, found: Fitted) -> str:
+    """Return a TOML file with the calibration: for ``--load``, or ``--calibration``."""
+    measured = ", ".join(f'"{word}"' for word in answers.words())
+    machine = f"{settings.printer.name} with {settings.material.name}"
+    lines = [
+        f"# Pause and sags of {machine}, as prints told.",
+        "# Of a model's parameters it holds none: many of them fit as well.",
+        "",
+        "[calibration]",
+        f'date = "{answers.date}"',
+        f"measured = [{measured}]",
+        f"nozzle_mm = {settings.printer.head.nozzle_mm:g}",
+        f"nozzle_c = {settings.material.nozzle_c:g}",
+        f'method = "{settings.printer.cooling.method}"',
+        f"print_mm_s = {settings.print_mm_s:.6g}",
+        f"pause_s = {found.pause_s:.3f}",
+        f"pause_spread_s = {found.pause_spread_s:.3f}",
+    ]
+    if answers.sags:
+        for length, sag, spread in found.sags_mm:
+            lines += [
+                "",
+                "[[calibration.sags]]",
+                f"length_mm = {length:g}",
+                f"sag_mm = {sag:.3f}",
+                f"spread_mm = {spread:.3f}",
+            ]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,183 @@
+"""Calibration prints: certified, quick, and what they tell makes forecasts true."""
+
+import math
+
+import numpy as np
+import pytest
+
+import wireprint
+from command import run
+from wireprint import Settings, _core, simulate
+from wireprint.calibration.answers import SAG_MM, Answers, Sag, read
+from wireprint.calibration.fit import PRIORS, fitted
+from wireprint.calibration.prints import LENGTHS_MM, SHARES, pauses_s, printed
+from wireprint.forecast_terms import air_mm_s, matter_of
+
+
+@pytest.mark.parametrize("name", ["ladder", "harp"])
+@pytest.mark.parametrize("printer", ["kossel-mini", "prusa-mk4s", "voron-2.4", "printrbot-simple"])
+@pytest.mark.parametrize("material", ["abs", "pla", "petg"])
+def test_a_print_is_certified_and_takes_less_than_ten_minutes(name, printer, material):
+    settings = Settings.load(printer, material)
+    made = printed(name, settings)
+    assert wireprint.check(made.gcode, settings).ok
+    assert wireprint.estimate(made.gcode).total_s < 600
+    assert all(word.encode() in made.gcode for word in made.words)
+
+
+def test_a_ladder_has_twelve_tents_with_the_pauses_that_it_names():
+    settings = Settings.load("prusa-mk4s", "pla")
+    text = printed("ladder", settings).gcode.decode()
+    held = [int(line[4:]) / 1000 for line in text.splitlines() if line.startswith("G4 P")]
+    assert held == pytest.approx(pauses_s(settings), abs=1e-3)
+    shares = [pause / settings.solidify_s for pause in held]
+    assert shares[0] < 0.3
+    assert shares[-1] > 3
+
+
+def test_a_forecast_of_a_ladder_says_which_tents_lean():
+    settings = Settings.load("kossel-mini", "abs")
+    found = simulate(printed("ladder", settings).gcode).rules["holds"]
+    assert found.of == 12
+    assert 2 <= found.over <= 9
+
+
+def test_what_does_not_fit_the_bed_is_refused(tmp_path):
+    result = run("calibrate", "harp", "-o", tmp_path / "x.gcode", "--set", "bed.diameter_mm=40")
+    assert result.exit_code != 0
+    assert "no harp is certified" in result.stderr
+    assert not (tmp_path / "x.gcode").exists()
+
+
+def truth(settings, rng):
+    """A machine as the priors say that it may be: what tells its pause and its sags."""
+    matter = matter_of(settings.material, settings.printer.head.nozzle_mm)
+    air = air_mm_s(settings)
+    blown, thick, drawn, hotter = (rng.standard_normal(4) * PRIORS).tolist()
+    other = matter | {
+        "glass_c": matter["glass_c"] + hotter,
+        "melt_viscosity_pa_s": matter["melt_viscosity_pa_s"] * math.exp(thick),
+        "draw": max(1.0, matter["draw"] + drawn),
+    }
+    speed = air * math.exp(blown)
+    pause = _core.cooling_time(matter, settings.material.holding_c + hotter, speed)
+    return pause, lambda lengths, laid: _core.sags(other, speed, laid, list(lengths))
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_a_ladder_and_a_harp_recover_pause_and_sag(seed):
+    rng = np.random.default_rng(seed)
+    settings = Settings.load("prusa-mk4s", "pla")
+    pause, sags = truth(settings, rng)
+    measured = tuple(
+        Sag(length, share * settings.print_mm_s, max(0.0, sag + rng.normal(0, SAG_MM)))
+        for share in SHARES
+        for length, sag in zip(
+            LENGTHS_MM, sags(LENGTHS_MM, share * settings.print_mm_s), strict=True
+        )
+    )
+    noise = float(np.clip(rng.normal(0, 0.1), -0.2, 0.2))
+    found = fitted(settings, Answers("2026-11-27", max(0.01, pause + noise), 0.1, measured))
+    assert abs(found.pause_s - pause) <= max(0.15, 2.5 * found.pause_spread_s)
+    [true] = sags([20.0], settings.print_mm_s)
+    assert abs(found.sags_mm[0][1] - true) <= max(0.1, 2.5 * found.sags_mm[0][2])
+    assert found.pause_spread_s < 0.15
+    # Before any print, a pause is known to about its own length.
+    assert found.sags_mm[0][2] < 0.1
+
+
+ANSWERS = """
+date = 2026-11-27
+[ladder]
+first_standing = 8
+[[harp]]
+length_mm = 20
+speed_mm_s = 30
+sag_mm = 0.4
+[[harp]]
+length_mm = 60
+speed_mm_s = 30
+sag_mm = 1.8
+"""
+
+
+def test_what_was_fitted_is_used_and_said(cube, tmp_path):
+    answers, mine = tmp_path / "answers.toml", tmp_path / "mine.toml"
+    answers.write_text(ANSWERS)
+    machine = ["--printer", "prusa-mk4s", "--material", "pla"]
+    told = run("calibrate", "fit", answers, "-o", mine, *machine)
+    assert told.exit_code == 0, told.stderr
+    settings = Settings.load("prusa-mk4s", "pla", [mine])
+    known = settings.calibrated
+    assert known.date == "2026-11-27"
+    assert settings.pause_s == known.pause_s
+    stands = pauses_s(settings)[7]
+    assert stands / 1.25 - 0.1 < known.pause_s < stands + 0.1
+    assert "viscosity" not in mine.read_text().replace("parameters", "")
+    target = tmp_path / "cube.gcode"
+    run("slice", cube, "-o", target, "-q", *machine, "--load", mine)
+    found = simulate(target)
+    assert found.trust == "calibrated"
+    assert found.rules["holds"].calibrated
+    assert found.rules["sags"].calibrated
+    assert not found.rules["meets"].calibrated
+    # Sags follow what the harp told.
+    terms = found.judge.settings.calibrated.sags
+    assert terms[0].length_mm == 20
+
+
+def test_a_calibration_is_asked_for_by_name(cube, tmp_path):
+    answers, mine, target = (tmp_path / name for name in ("a.toml", "mine.toml", "cube.gcode"))
+    answers.write_text(ANSWERS)
+    machine = ["--printer", "prusa-mk4s", "--material", "pla"]
+    run("calibrate", "fit", answers, "-o", mine, *machine)
+    run("slice", cube, "-o", target, "-q", *machine)
+    assert "uncalibrated" in run("simulate", target).stdout.splitlines()[0]
+    said = run("simulate", target, "--calibration", mine).stdout
+    assert "; calibrated, " in said.splitlines()[0]
+    assert "measured on 2026-11-27" in said
+
+
+def test_it_holds_for_what_it_was_measured_with_alone(tmp_path):
+    answers, mine = tmp_path / "answers.toml", tmp_path / "mine.toml"
+    answers.write_text(ANSWERS)
+    run("calibrate", "fit", answers, "-o", mine, "--printer", "prusa-mk4s", "--material", "pla")
+    for change in ("head.nozzle_mm=0.6", "material.nozzle_c=220", "cooling.method=none"):
+        other = Settings.load("prusa-mk4s", "pla", [mine], [change])
+        assert other.calibrated is None
+        assert other.pause_s == other.solidify_s
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("", "date is missing"),
+        ("date = 2026-11-27", "nothing was measured"),
+        ("date = 2026-11-27\n[ladder]\nfirst_standing = 13", "1 to 12"),
+        ("date = 2026-11-27\n[ladder]\nfirst_standing = true", "1 to 12"),
+        ("date = 2026-11-27\nladder = 3", "1 to 12"),
+        ("date = 2026-11-27\n[harp]\nsag_mm = 1", "two brackets"),
+        ("date = 2026-11-27\n[[harp]]\nsag_mm = 1", "length_mm"),
+        ("date = 2026-11-27\n[[harp]]\nlength_mm = 20\nspeed_mm_s = 30\nsag_mm = nan", "sag_mm"),
+        ("date = 2026-11-27\nladdder = 3", "laddder is no answer"),
+        ("date = ", "answers.toml"),
+    ],
+)
+def test_answers_that_say_nothing_are_refused(tmp_path, text, word):
+    path = tmp_path / "answers.toml"
+    path.write_text(text)
+    result = run("calibrate", "fit", path, "-o", tmp_path / "mine.toml")
+    assert result.exit_code != 0
+    assert word in result.stderr
+    assert "answers.toml" in result.stderr
+    assert not (tmp_path / "mine.toml").exists()
+
+
+def test_a_ladders_answer_lies_between_two_tents(tmp_path):
+    path = tmp_path / "answers.toml"
+    path.write_text("date = '2026-11-27'\n[ladder]\nfirst_standing = 5")
+    settings = Settings.load()
+    answers = read(path, settings)
+    low, high = pauses_s(settings)[3:5]
+    assert low < answers.pause_s < high
+    assert answers.sags == ()
