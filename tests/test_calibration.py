@@ -108,7 +108,7 @@ def test_what_was_fitted_is_used_and_said(cube, tmp_path):
     told = run("calibrate", "fit", answers, "-o", mine, *machine)
     assert told.exit_code == 0, told.stderr
     settings = Settings.load("prusa-mk4s", "pla", [mine])
-    known = settings.calibrated
+    known = settings.calibrated_by()
     assert known.date == "2026-11-27"
     assert settings.pause_s == known.pause_s
     stands = pauses_s(settings)[7]
@@ -122,7 +122,7 @@ def test_what_was_fitted_is_used_and_said(cube, tmp_path):
     assert found.rules["sags"].calibrated
     assert not found.rules["meets"].calibrated
     # Sags follow what the harp told.
-    terms = found.judge.settings.calibrated.sags
+    terms = found.judge.settings.calibrated_by().sags
     assert terms[0].length_mm == 20
 
 
@@ -144,7 +144,7 @@ def test_it_holds_for_what_it_was_measured_with_alone(tmp_path):
     run("calibrate", "fit", answers, "-o", mine, "--printer", "prusa-mk4s", "--material", "pla")
     for change in ("head.nozzle_mm=0.6", "material.nozzle_c=220", "cooling.method=none"):
         other = Settings.load("prusa-mk4s", "pla", [mine], [change])
-        assert other.calibrated is None
+        assert other.calibrated_by() is None
         assert other.pause_s == other.solidify_s
 
 

@@ -113,7 +113,7 @@ class Forecast:
     @property
     def calibrated(self) -> bool:
         """Whether pause and sags rest on what was measured."""
-        return self.judge.settings.calibrated is not None
+        return self.judge.settings.calibrated_by() is not None
 
     @property
     def trust(self) -> Literal["calibrated", "uncalibrated"]:
@@ -243,7 +243,7 @@ def _holds(
     bounds = None
     if slowest[0] is not None and fastest[0] is not None:
         bounds = (fastest[0][0], slowest[0][0])
-    return _with_bounds("holds", likely, bounds, settings.calibrated is not None, settings)
+    return _with_bounds("holds", likely, bounds, settings.calibrated_by() is not None, settings)
 
 
 def _with_bounds(

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Final, cast
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from wireprint._core import Scene, Strands
 from wireprint.view import camera_angles
 from wireprint.view_html import Page
-from wireprint.view_styles import Entry
+from wireprint.view_styles import WHITE, Entry
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from wireprint._core import Strands
     from wireprint.forecast import Forecast
     from wireprint.view_styles import Rgb
 
@@ -31,6 +31,8 @@ _COLOURS: Final[tuple[Rgb, ...]] = (
     (215, 48, 39),
 )
 _NONE: Final[Rgb] = (205, 205, 205)
+#: Of the picture that is shown until the page turns.
+_STILL_PX: Final = (640, 480)
 
 
 @dataclass(frozen=True)
@@ -40,16 +42,6 @@ class _Scale:
     values: Array
     edges: tuple[float, ...]
     name: str
-
-
-@dataclass(frozen=True)
-class _Coloured:
-    """Strands as the page takes them, a label for each colour."""
-
-    segments: Array
-    features: npt.NDArray[np.int64]
-    labels: tuple[str, ...]
-    diameters: Array
 
 
 def page(forecast: Forecast, figure: str, title: str) -> bytes:
@@ -75,15 +67,22 @@ def page(forecast: Forecast, figure: str, title: str) -> bytes:
         Entry(name, name, colour, float(lengths[kinds == kind].sum()))
         for kind, (name, colour) in enumerate(zip(names, (*_COLOURS, _NONE), strict=True))
     ]
-    diameters = np.full(len(ends), settings.strand_mm)
-    drawn = _Coloured(ends, kinds, tuple(names), diameters)
-    sheet = Page(f"{title}: {scale.name}, {forecast.trust}", _size(ends), camera_angles("iso")[:2])
-    # Without travels, the page asks for no more than these.
-    sheet.add_strands(cast("Strands", drawn), [entry.colour for entry in entries], entries, None)
+    drawn = Strands.from_arrays(ends, kinds.astype(np.uint16), names, settings.strand_mm)
+    colours = [entry.colour for entry in entries]
+    size_mm = np.ptp(ends.reshape(-1, 3), axis=0).tolist() if len(ends) else [0.0] * 3
+    angles, headline = camera_angles("iso"), f"{title}: {scale.name}, {forecast.trust}"
+    sheet = Page(headline, size_mm, angles[:2], _still(drawn, colours, angles))
     worst = {"sag": "sags", "compliance": "meets", "flow": "flows", "weld": "welds"}[figure]
     place = forecast.rules[worst].place_mm
     sheet.add_marks([] if place is None else [place])
+    sheet.add_strands(drawn, colours, entries, travels=False, gcode=None)
     return sheet.text().encode()
+
+
+def _still(drawn: Strands, colours: list[Rgb], angles: tuple[float, float, float]) -> bytes:
+    scene = Scene(floor=True)
+    scene.add_strands(drawn, colours)
+    return scene.png(_STILL_PX, angles, supersample=2, margins=(8.0,) * 4, ground=WHITE)
 
 
 def _scale(forecast: Forecast, figure: str) -> _Scale:
@@ -109,11 +108,3 @@ def _names(scale: _Scale) -> list[str]:
     edges = [f"{edge:.2g}" for edge in scale.edges]
     between = [f"{low} to {high}" for low, high in pairwise(edges)]
     return [f"up to {edges[0]}", *between, f"more than {edges[-1]}"]
-
-
-def _size(ends: Array) -> str:
-    if not len(ends):
-        return ""
-    points = ends.reshape(-1, 3)
-    x, y, z = np.ptp(points, axis=0)
-    return f"{x:.1f} × {y:.1f} × {z:.1f} mm"

@@ -22,7 +22,7 @@ _SOFTENS_ABOVE_K: Final = 5.0
 
 def calibrated_spread(name: str, settings: Settings) -> float | None:
     """Return the spread of a rule's figure as a factor; None for one that was not calibrated."""
-    known = settings.calibrated
+    known = settings.calibrated_by()
     if known is None:
         return None
     if name == "holds":
@@ -61,7 +61,7 @@ def terms_of(settings: Settings) -> dict[str, Any]:
     """Return what the core forecasts with."""
     printer, material = settings.printer, settings.material
     matter = matter_of(material, settings.strand_mm)
-    known = settings.calibrated
+    known = settings.calibrated_by()
     spread, faster, farther = calibrated_spread("holds", settings) or SPREAD, 1.0, []
     if known is not None:
         faster = settings.solidify_s / known.pause_s

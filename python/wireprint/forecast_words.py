@@ -42,7 +42,7 @@ def sentences(forecast: Forecast) -> list[str]:
 
 def unknown(settings: Settings) -> list[str]:
     """Return what a forecast does not know, in sentences."""
-    known = settings.calibrated
+    known = settings.calibrated_by()
     if known is None:
         trust = (
             "Nothing of it was measured on this printer: each figure may be half or twice as large "
@@ -160,7 +160,7 @@ def _longer_pause(rule: Rule, settings: Settings) -> str:
         settings.wire.pull_n,
         _LONGEST_PAUSE_S,
     )
-    known = settings.calibrated
+    known = settings.calibrated_by()
     pause_s *= 1.0 if known is None else known.pause_s / settings.solidify_s
     if rule.over == 0:
         return (

@@ -766,12 +766,11 @@ class Settings(Section):
         """Pause at the end of a floating stroke, s: as asked for, as measured, or as computed."""
         if self.wire.pause_s is not None:
             return self.wire.pause_s
-        calibration = self.calibrated
+        calibration = self.calibrated_by()
         return self.solidify_s if calibration is None else calibration.pause_s
 
-    @property
-    def calibrated(self) -> Calibration | None:
-        """The calibration, if it was measured with what these settings are."""
+    def calibrated_by(self) -> Calibration | None:
+        """Return the calibration, if it was measured with what these settings are."""
         known = self.calibration
         if known is None or self.wire.flow != 1.0:
             return None

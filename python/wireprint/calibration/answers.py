@@ -92,14 +92,16 @@ def _ladder(path: Path, table: Any, settings: Settings) -> tuple[float | None, f
 
 
 def _sag(path: Path, table: Any) -> Sag:
-    names = ("length_mm", "speed_mm_s", "sag_mm")
-    values = [table.get(name) if isinstance(table, dict) else None for name in names]
-    limits = ((1, 500), (0.1, 500), (0, 500))
-    for name, value, (low, high) in zip(names, values, limits, strict=True):
-        number = isinstance(value, int | float) and not isinstance(value, bool)
-        if not number or not low <= value <= high:
+    def number(name: str, low: float, high: float) -> float:
+        value = table.get(name) if isinstance(table, dict) else None
+        counts = isinstance(value, int | float) and not isinstance(value, bool)
+        if not counts or not low <= float(value or 0) <= high:
             raise SettingError(
                 f"{path}: {name} of a strand of the harp is {value}; it must be a number from "
                 f"{low:g} to {high:g}"
             )
-    return Sag(*map(float, values))
+        return float(value or 0)
+
+    return Sag(
+        number("length_mm", 1, 500), number("speed_mm_s", 0.1, 500), number("sag_mm", 0, 500)
+    )

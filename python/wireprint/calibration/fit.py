@@ -36,6 +36,8 @@ _STEP: Final = 0.2
 #: a dozen rods, and the model is nearly straight over its priors.
 _STEPS: Final = 4
 _NEW_SLOPES: Final = 2
+#: No parameter is taken farther off than this, in priors.
+_FARTHEST: Final = 3.0
 #: Nothing is told nearer than this, mm and s: what can be seen on a print.
 _LEAST_MM: Final = 0.02
 
@@ -70,17 +72,18 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
         measured, deviations = [answers.pause_s, *measured], [answers.pause_spread_s, *deviations]
         rows = [0, *rows]
     weights = 1 / np.array(deviations)
-    place, unit = np.zeros(len(PRIORS)), np.eye(len(PRIORS))
-    values = slopes = np.zeros(0)
+    unit: Array = np.eye(len(PRIORS))
+    place: Array = np.zeros(len(PRIORS))
+    values = model(place)
+    slopes = _slopes(model, place, values)
     for step in range(_STEPS):
-        values = model(place)
-        if step < _NEW_SLOPES:
-            slopes = _slopes(model, place, values)
         scaled = slopes[rows] * weights[:, None]
         off = (np.array(measured) - values[rows]) * weights + scaled @ place
-        place = np.linalg.solve(unit + scaled.T @ scaled, scaled.T @ off)
-        place = np.clip(place, -3, 3)
-    values = model(place)
+        found = np.linalg.solve(unit + scaled.T @ scaled, scaled.T @ off)
+        place = np.asarray(np.clip(found, -_FARTHEST, _FARTHEST), np.float64)
+        values = model(place)
+        if step + 1 < _NEW_SLOPES:
+            slopes = _slopes(model, place, values)
     scaled = slopes[rows] * weights[:, None]
     spread = np.linalg.inv(unit + scaled.T @ scaled)
     deviation = np.sqrt(np.einsum("ij,jk,ik->i", slopes, spread, slopes))
@@ -110,7 +113,7 @@ def _model(settings: Settings, strands: list[tuple[float, float]]) -> Callable[[
         }
         speed = air * math.exp(blown)
         found = [_core.cooling_time(matter, hold_c + hotter, speed)]
-        sags = {}
+        sags: dict[tuple[float, float], float] = {}
         for laid in speeds:
             lengths = sorted({length for length, one in strands if one == laid})
             tell = _core.sags(other, speed, laid, lengths)
