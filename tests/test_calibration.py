@@ -51,7 +51,7 @@ def test_what_does_not_fit_the_bed_is_refused(tmp_path):
 
 def truth(settings, rng):
     """A machine as the priors say that it may be: what tells its pause and its sags."""
-    matter = matter_of(settings.material, settings.printer.head.nozzle_mm)
+    matter = matter_of(settings.material, settings.strand_mm)
     air = air_mm_s(settings)
     blown, thick, drawn, hotter = (rng.standard_normal(4) * PRIORS).tolist()
     other = matter | {

@@ -273,6 +273,6 @@ def _with_bounds(
 
 
 def _limit(name: Name, settings: Settings) -> float | None:
-    strand = settings.printer.head.nozzle_mm
+    strand = settings.strand_mm
     limits = {"holds": strand / 2, "sags": strand, "meets": strand / 2, "knots": strand / 2}
     return FLOW_SHARE if name == "flows" else limits.get(name)

@@ -51,7 +51,7 @@ def unknown(settings: Settings) -> list[str]:
         if settings.calibration is not None:
             then = settings.calibration
             trust += (
-                f" The calibration of {then.date} was measured with a {then.nozzle_mm:g} mm nozzle "
+                f" The calibration of {then.date} was measured with a {then.strand_mm:g} mm strand "
                 f"at {then.nozzle_c:g} °C and cooling by {then.method}; what differs from that "
                 "asks for a new ladder."
             )

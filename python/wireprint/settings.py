@@ -664,12 +664,12 @@ class SagPoint(Section):
 class Calibration(Section):
     """What prints of one machine told of its pause and its sags; ``wireprint calibrate fit``.
 
-    It holds for what it was measured with: another nozzle, temperature or air asks for a new one.
+    It holds for what it was measured with: another strand, temperature or air asks for a new one.
     """
 
     date: Name = Field(description="day of the measurements, as 2026-11-27")
     measured: tuple[Name, ...] = Field(max_length=50, description="what, in words")
-    nozzle_mm: float = Field(ge=0.05, le=5)
+    strand_mm: float = Field(ge=0.05, le=5, description="diameter: the nozzle's, or wire.flow's")
     nozzle_c: float = Field(ge=100, le=500)
     method: CoolingMethod
     print_mm_s: float = Field(ge=0.1, le=500)
@@ -774,9 +774,9 @@ class Settings(Section):
         known = self.calibration
         if known is None or self.wire.flow != 1.0:
             return None
-        then = (known.nozzle_mm, known.nozzle_c, known.method)
+        then = (round(known.strand_mm, 6), known.nozzle_c, known.method)
         cooling = self.printer.cooling
-        now = (self.printer.head.nozzle_mm, self.material.nozzle_c, cooling.method)
+        now = (round(self.strand_mm, 6), self.material.nozzle_c, cooling.method)
         return known if then == now else None
 
     @property

@@ -100,7 +100,7 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
 
 def _model(settings: Settings, strands: list[tuple[float, float]]) -> Callable[[Array], Array]:
     """Return what tells pause and sags by parameters in units of their priors' deviations."""
-    matter = matter_of(settings.material, settings.printer.head.nozzle_mm)
+    matter = matter_of(settings.material, settings.strand_mm)
     air, hold_c = air_mm_s(settings), settings.material.holding_c
     speeds = sorted({speed for _, speed in strands})
 
@@ -140,7 +140,7 @@ def written(settings: Settings, answers: Answers, found: Fitted) -> str:
         "[calibration]",
         f'date = "{answers.date}"',
         f"measured = [{measured}]",
-        f"nozzle_mm = {settings.printer.head.nozzle_mm:g}",
+        f"strand_mm = {settings.strand_mm:.9g}",
         f"nozzle_c = {settings.material.nozzle_c:g}",
         f'method = "{settings.printer.cooling.method}"',
         f"print_mm_s = {settings.print_mm_s:.6g}",

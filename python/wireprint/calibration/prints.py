@@ -88,13 +88,13 @@ def _tent(settings: Settings) -> tuple[float, float]:
     """Return how far a tent's diagonal runs, and how high it stands, mm."""
     head = settings.printer.head
     high_mm = min(_TENT_MM, settings.slab_max_mm, head.cone_height_mm)
-    run_mm = _core.stroke_run(head.model_dump(), head.nozzle_mm, high_mm)
+    run_mm = _core.stroke_run(head.model_dump(), settings.strand_mm, high_mm)
     return run_mm, high_mm
 
 
 def _ladder(path: Path, run_mm: float, high_mm: float) -> None:
     settings = path.settings
-    strand = settings.printer.head.nozzle_mm
+    strand = settings.strand_mm
     base = settings.first_layer_height_mm
     pitch = run_mm + _APART * strand
     held = pauses_s(settings)
@@ -107,7 +107,7 @@ def _ladder(path: Path, run_mm: float, high_mm: float) -> None:
 
 def _harp(path: Path, run_mm: float, high_mm: float) -> None:
     settings = path.settings
-    strand = settings.printer.head.nozzle_mm
+    strand = settings.strand_mm
     base = settings.first_layer_height_mm
     pitch = run_mm + _APART * strand
     top = base + high_mm
@@ -136,7 +136,7 @@ def tent(
 
 def _strip(path: Path, begin: float, end: float, y: float, base: float) -> None:
     """Lay what tents stand on: three lines side by side on the bed."""
-    wide = path.settings.printer.head.nozzle_mm
+    wide = path.settings.strand_mm
     beyond = 3 * wide
     ends = [(begin - beyond, end + beyond), (end + beyond, begin - beyond)]
     for number, line in enumerate((-1, 0, 1)):

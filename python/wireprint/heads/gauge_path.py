@@ -104,9 +104,7 @@ class Path:
         """
         settings = self.settings
         length = math.dist(self.at, to)
-        area = (
-            settings.printer.head.nozzle_mm / settings.printer.extruder.filament_diameter_mm
-        ) ** 2
+        area = (settings.strand_mm / settings.printer.extruder.filament_diameter_mm) ** 2
         speed = settings.first_layer_mm_s if kind == _SKIRT else settings.print_mm_s
         held = settings.pause_s if pause else 0.0
         held = held if pause_s is None else pause_s
