@@ -5,11 +5,18 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use proptest::prelude::*;
 use wireprint_core::check::{Bed, Limits, Rules, Settling, certify};
 use wireprint_core::gcode::event::Step;
-use wireprint_core::head::Head;
+use wireprint_core::head::{Head, Part, Shape};
+
+/// A duct that is turned, and a probe beyond the carriage.
+fn parts() -> Vec<Part> {
+    let duct = Shape::Box { x_mm: [8.0, 30.0], y_mm: [-3.0, 6.0], bottom_mm: 2.0, turn_deg: 25.0 };
+    let probe = Shape::Cylinder { centre_mm: [-10.0, 38.0], radius_mm: 4.0, bottom_mm: 1.5 };
+    [duct, probe].map(|shape| Part::try_from(shape).unwrap()).to_vec()
+}
 
 fn rules() -> Rules {
     Rules {
-        head: Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 35.0).unwrap(),
+        head: Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 35.0).unwrap().with_parts(parts()),
         strand: 0.7,
         bed_contact: 0.7,
         span_limit: 65.0,

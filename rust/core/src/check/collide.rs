@@ -55,8 +55,8 @@ fn with_material(step: &Step, laid: u32, deposit: &Deposit, rules: &Rules) -> Op
         if rise <= 0.0 {
             continue;
         }
-        let reach = body.reach_at(rise);
-        deposit.grid.earlier(path.map(|p| p + shift), reach, laid, floor, |strand| {
+        let half = body.half_at(rise);
+        deposit.grid.earlier_around(path.map(|p| p + shift), half, laid, floor, |strand| {
             let depth = worst.map_or(tolerance, |(_, hit)| hit.depth);
             if let Some(hit) = body.deeper_than(depth, path, deposit.strands[strand as usize]) {
                 worst = Some((strand, hit));

@@ -140,6 +140,18 @@ impl Grid {
         reach: f64,
         before: u32,
         height: f64,
+        found: impl FnMut(u32) -> ControlFlow<()>,
+    ) {
+        self.earlier_around(segment, DVec2::splat(reach), before, height, found);
+    }
+
+    /// As [`Grid::earlier`], within another distance along x than along y.
+    pub(crate) fn earlier_around(
+        &self,
+        segment: [DVec3; 2],
+        reach: DVec2,
+        before: u32,
+        height: f64,
         mut found: impl FnMut(u32) -> ControlFlow<()>,
     ) {
         let _ = self.visit(segment, reach, |visit| {
@@ -167,7 +179,7 @@ impl Grid {
         height: f64,
         mut test: impl FnMut(u32) -> bool,
     ) -> bool {
-        let search = self.visit([point, point], reach, |visit| {
+        let search = self.visit([point, point], DVec2::splat(reach), |visit| {
             let entries = self.cell(visit.cell);
             let begin = self.position(entries, after + 1);
             let mut later = entries[begin..].iter().take_while(|entry| entry.floor <= height);
@@ -207,7 +219,7 @@ impl Grid {
 
     /// Calls `found` with every cell that a segment passes.
     fn every(&self, segment: [DVec3; 2], mut found: impl FnMut(Visit)) {
-        let _ = self.visit(segment, 0.0, |visit| {
+        let _ = self.visit(segment, DVec2::ZERO, |visit| {
             found(visit);
             ControlFlow::Continue(())
         });
@@ -218,20 +230,21 @@ impl Grid {
     fn visit(
         &self,
         [a, b]: [DVec3; 2],
-        reach: f64,
+        reach: DVec2,
         mut found: impl FnMut(Visit) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let mut below = [0; 2];
         let reach = reach + SLACK_MM;
-        let (low, high) = (a.y.min(b.y) - reach - self.low.y, a.y.max(b.y) + reach - self.low.y);
+        let (low, high) =
+            (a.y.min(b.y) - reach.y - self.low.y, a.y.max(b.y) + reach.y - self.low.y);
         for row in cells(low, high, self.cell.y, self.rows) {
-            let bottom = self.low.y + row as f64 * self.cell.y - reach;
-            let top = bottom + self.cell.y + 2.0 * reach;
+            let bottom = self.low.y + row as f64 * self.cell.y - reach.y;
+            let top = bottom + self.cell.y + 2.0 * reach.y;
             let Some((left, right)) = clip(a, b, bottom, top) else {
                 below = [0; 2];
                 continue;
             };
-            let (left, right) = (left - reach - self.low.x, right + reach - self.low.x);
+            let (left, right) = (left - reach.x - self.low.x, right + reach.x - self.low.x);
             let columns = cells(left, right, self.cell.x, self.columns);
             // There are at most `MOST_CELLS` columns.
             let [first, end] = [columns.start, columns.end].map(|column| column as u16);
@@ -314,6 +327,7 @@ mod tests {
             strands in segments(30),
             query in segments(1),
             reach in 0.0..9.0,
+            wider in 0.0..9.0,
             before in 0..30_u32,
             height in 0.0..9.0,
         ) {
@@ -327,6 +341,19 @@ mod tests {
                 let is_high = ends[0].z.max(ends[1].z) > height;
                 let missed = is_high && is_near(query[0], *ends, reach) && !found.contains(&strand);
                 prop_assert!(!missed, "{strand} of {found:?}");
+            }
+            // A box of another width holds what is near along both axes, and twice nothing.
+            let wide = DVec2::new(reach, wider);
+            let mut around = Vec::new();
+            grid.earlier_around(query[0], wide, before, height, |strand| {
+                around.push(strand);
+                ControlFlow::Continue(())
+            });
+            for strand in found {
+                let [from, to] = strands[strand as usize];
+                let is_high = from.z.max(to.z) > height;
+                let missed = is_high && wider >= reach && !around.contains(&strand);
+                prop_assert!(!missed, "{strand} of {around:?}");
             }
         }
     }

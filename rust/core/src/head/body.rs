@@ -58,6 +58,16 @@ impl Body<'_> {
         }
     }
 
+    /// Half the size along x and y of the rectangle about its middle in which material `height` mm above
+    /// the tip can touch it, mm.
+    #[must_use]
+    pub fn half_at(&self, height: f64) -> DVec2 {
+        match self {
+            Self::Round(head) => DVec2::splat(head.round_reach_at(height)),
+            Self::Part(part) => part.half(),
+        }
+    }
+
     /// As [`Head::deeper_than`], of this body alone.
     #[must_use]
     pub fn deeper_than(&self, tolerance: f64, tip: [DVec3; 2], strand: [DVec3; 2]) -> Option<Hit> {

@@ -28,13 +28,18 @@ impl Rectangle {
         dvec2(v.dot(self.axis), self.axis.perp_dot(v))
     }
 
+    /// Half of its extent along x and y.
+    pub fn extent(&self) -> DVec2 {
+        let axes = self.axis.abs();
+        dvec2(axes.dot(self.half), axes.perp().abs().dot(self.half))
+    }
+
     /// Whether it and the rectangle `|x| ≤ half.x, |y| ≤ half.y` have a point in common.
     ///
     /// Two convex shapes are apart only if the normal of one of their sides tells them apart.
     pub fn meets(&self, half: DVec2) -> bool {
         let axes = self.axis.abs();
-        let across = dvec2(axes.dot(self.half), axes.perp().abs().dot(self.half));
-        let beside = (self.middle.abs() - across - half).max_element();
+        let beside = (self.middle.abs() - self.extent() - half).max_element();
         let other = dvec2(axes.dot(half), axes.perp().abs().dot(half));
         beside <= 0.0 && (self.own(self.middle).abs() - other - self.half).max_element() <= 0.0
     }

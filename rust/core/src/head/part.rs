@@ -112,6 +112,15 @@ impl Part {
         }
     }
 
+    /// Half of its extent along x and y, mm.
+    #[must_use]
+    pub fn half(&self) -> DVec2 {
+        match self.footprint {
+            Footprint::Rectangle(on) => on.extent(),
+            Footprint::Disc { radius, .. } => DVec2::splat(radius),
+        }
+    }
+
     /// Whether material up to `half` mm from the tip along x and y may be below it.
     #[must_use]
     pub fn meets(&self, half: DVec2) -> bool {
