@@ -77,7 +77,7 @@ def split(
     rest = mapped(shapely.difference, inner[part], sparse[part])
     # Slivers go; what stays reaches over the sparse fill that holds its ends.
     rest = offset(offset(rest, -shells.line_mm / 2), shells.line_mm / 2 + shells.anchor_mm)
-    solid[part] = mapped(shapely.intersection, rest, inner[part])
+    solid[part] = mapped(_common, rest, inner[part])
     sparse[part] = mapped(shapely.difference, inner[part], rest)
     return solid, sparse
 
@@ -91,7 +91,17 @@ def _cover(sparse: Geometries, layer: npt.NDArray[np.int64], areas: Geometries) 
     # Most areas lie well within their neighbours, which prepared geometries tell at a glance; it
     # is asked in one thread, since a prepared geometry builds its index when first asked.
     cut = left[~shapely.contains_properly(areas[layer[left]], sparse[left])]
-    sparse[cut] = mapped(shapely.intersection, sparse[cut], areas[layer[cut]])
+    sparse[cut] = mapped(_common, sparse[cut], areas[layer[cut]])
+
+
+def _common(areas: Geometries, others: Geometries) -> Geometries:
+    """Return what areas have in common with others, made sound where rims cross by rounding."""
+    try:
+        found: Geometries = shapely.intersection(areas, others)
+    except shapely.errors.GEOSException:
+        sound = (shapely.make_valid(each) for each in (areas, others))
+        found = shapely.intersection(*sound)
+    return found
 
 
 def _without_small(geometries: Geometries, smallest_mm2: float) -> Geometries:
