@@ -1,25 +1,31 @@
 """Writes docs/sturdiness.md: how stiff the wire prints of the shared models are, and at what cost.
 
-python benches/sturdiness.py [--before] [--only TEXT] [-o PAGE] [--jobs N]
+python benches/sturdiness.py [--before] [--only TEXT] [-o PAGE] [--jobs N] [--most SECONDS]
 
 Measured by `../shared/tools/stiffness.py` (a beam frame from the G-code alone). --before keeps what
 is measured as what later prints are compared with. A print that was measured once is not measured
-again: results are kept in `target/sturdiness` by the hash of its moves.
+again: results are kept in `target/sturdiness` by the hash of its moves. What takes the tool longer
+than --most is shown without its stiffness.
 """
 
 import argparse
 import csv
+import functools
 import hashlib
-import importlib.util
 import json
 import os
+import subprocess
+import sys
 import tempfile
 from pathlib import Path
 from statistics import median
 
+import numpy as np
+
 import shared_models
 import sturdiness_goals
 from certificates import BREACHES
+from wireprint import KINDS
 from wireprint.pipeline import make
 from wireprint.timing import clock
 
@@ -70,7 +76,7 @@ from the G-code alone; a measure to compare prints with. Before (version 0.1.0 a
 - **tip**: how far a post's peak gives way under 1 N at the moment when it is printed, in the
   median, for 95 % of the posts, and at worst. **pinch**: force for 1 mm between two fingers at half
   the height of the finished print, along x and y.
-- A dash: nothing printed, or nothing to measure there.
+- A dash: nothing printed, nothing to measure there, or more than {most} s of the tool's work.
 
 ## Goals
 
@@ -78,26 +84,27 @@ from the G-code alone; a measure to compare prints with. Before (version 0.1.0 a
 """
 
 
-def tool():
-    """Load the measuring tool from its path; it is no part of the project."""
-    spec = importlib.util.spec_from_file_location("stiffness", TOOL)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def evaluate(model, settings, row):
+def evaluate(model, settings, row, most_s):
     """Fill in a print's figures and, unless it is known, how stiff it is."""
     made = make(model.mesh, settings, partial=True)
     told = made.figures()
     row["print_time_s"], row["coverage"] = told["print_time_s"], told["coverage"]
     row["breaches"] = sum(told["breaches"][name] for name in BREACHES)
+    row["posts"], row["diagonals"] = made.wireframe.post_count, diagonals(made.wireframe)
+    row["braced"] = row["diagonals"] / max(1, row["posts"])
+    row["travel_share"] = told["travel_mm"] / told["strand_mm"]
     modulus_mpa = MODULI_MPA[settings.material.name]
-    row |= stiffness(made.gcode, settings.printer.head.nozzle_mm, modulus_mpa)
+    row |= stiffness(made.gcode, settings.printer.head.nozzle_mm, modulus_mpa, most_s)
 
 
-def stiffness(gcode, diameter_mm, modulus_mpa):
-    """Measure G-code with the tool, once."""
+def diagonals(wireframe):
+    """Count the diagonals: runs of strands of that kind, for one may be laid in several."""
+    here = wireframe.strand_kinds == KINDS.index("diagonal")
+    return int(np.count_nonzero(here & ~np.concatenate([[False], here[:-1]])))
+
+
+def stiffness(gcode, diameter_mm, modulus_mpa, most_s):
+    """Measure G-code with the tool, once; nothing where that takes longer than `most_s`."""
     lines = [line for line in gcode.splitlines() if line.startswith((b"G", b";TYPE"))]
     lines += [b"%g %g" % (diameter_mm, modulus_mpa), TOOL.read_bytes()]
     kept = CACHE / f"{hashlib.sha256(b'|'.join(lines)).hexdigest()}.json"
@@ -106,7 +113,14 @@ def stiffness(gcode, diameter_mm, modulus_mpa):
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "print.gcode"
         file.write_bytes(gcode)
-        found = tool().report(file, diameter_mm, modulus_mpa)
+        given = [file, "--nozzle", str(diameter_mm), "--modulus", str(modulus_mpa)]
+        try:
+            ran = subprocess.run(
+                [sys.executable, TOOL, *given], check=True, capture_output=True, timeout=most_s
+            )
+        except subprocess.TimeoutExpired:
+            return {}
+    found = json.loads(ran.stdout)
     tips, pinches = found.pop("tip_mm_n") or [None] * 3, found.pop("pinch_n_mm")
     found |= dict(zip(("tip_median_mm_n", "tip_95_mm_n", "tip_worst_mm_n"), tips, strict=True))
     found |= dict(zip(("pinch_x_n_mm", "pinch_y_n_mm"), pinches, strict=True))
@@ -119,13 +133,14 @@ def stiffness(gcode, diameter_mm, modulus_mpa):
     return found
 
 
-def measured(only, jobs):
+def measured(only, jobs, most_s):
     """Measure all models on all printers; figures by printer and model, in the manifest's order."""
     # Each process has one thread: the tool's linear algebra, too.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     manifest = str(shared_models.SHARED / "models" / "manifest.csv")
     found = {}
-    for machine, model, row in shared_models.on_each(MACHINES, [manifest], evaluate, jobs, only):
+    measure = functools.partial(evaluate, most_s=most_s)
+    for machine, model, row in shared_models.on_each(MACHINES, [manifest], measure, jobs, only):
         figures = {name: row.get(name) for name in FIGURES}
         found[machine, model] = figures
         print(machine, model, row["error"] or figures, flush=True)
@@ -207,10 +222,11 @@ def main():
     target = shared_models.REPOSITORY / "docs" / "sturdiness.md"
     parser.add_argument("-o", "--output", type=Path, default=target)
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--most", type=float, default=120.0, help="s of the tool's work a print")
     options = parser.parse_args()
     if not TOOL.exists():
         parser.exit(0, f"{TOOL} is absent: nothing measured\n")
-    new = measured(options.only, options.jobs)
+    new = measured(options.only, options.jobs, options.most)
     if options.before:
         keep(new)
         return
@@ -218,7 +234,9 @@ def main():
     goals = sturdiness_goals.told(old, new)
     tables = "\n".join(table(machine, old, new) for machine in MACHINES)
     print(goals)
-    options.output.write_text(PAGE.format(tables=tables, goals=goals), encoding="utf-8")
+    options.output.write_text(
+        PAGE.format(tables=tables, goals=goals, most=f"{options.most:g}"), encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ POST, DIAGONAL = 2, 3
 GROWING = [
     *(f"head.{name}_mm" for name in ("nozzle", "tip_radius", "cone_height", "block_radius")),
     *(f"head.{name}_mm" for name in ("carriage_height", "carriage_radius")),
+    *(f"motion.max_z_{name}" for name in ("velocity", "accel")),
     *(f"speeds.{name}_mm_s" for name in ("print", "travel", "first_layer")),
     *(f"wire.{name}_mm" for name in ("span_limit", "free_end_limit", "cap_spacing")),
     *(f"wire.{name}_mm" for name in ("deviation_target", "travel_lift")),

@@ -350,7 +350,7 @@ def test_outside_a_region_posts_and_contours_are_those_of_the_plain_print(models
         wanted, found = (np.sort(strands(p, kind), axis=1).reshape(-1, 6) for p in (plain, made))
         far = near.query(wanted[:, :2])[0] > reach
         missing = cKDTree(found).query(wanted[far])[0] > 1e-6
-        assert far.sum() > 30
+        assert far.sum() > 25
         assert not missing.any()
 
 

@@ -52,6 +52,7 @@ def _of_wire(settings: Settings) -> dict[str, object]:
         "first_layer_height_mm": settings.first_layer_height_mm,
         "print_mm_s": settings.print_mm_s,
         "pause_s": settings.pause_s,
+        "climb": _climb(settings.printer),
         "times": _times(settings),
         "supports": settings.wire.supports == "wire",
     }

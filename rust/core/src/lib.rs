@@ -10,6 +10,8 @@ pub mod bgcode;
 pub mod carve;
 pub mod check;
 pub mod clearance;
+pub mod climb;
+pub mod coil;
 pub mod contours;
 pub mod error;
 pub mod fidelity;

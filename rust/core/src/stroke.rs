@@ -16,6 +16,10 @@ const PAPER_SLOPE_DEG: f64 = 32.0;
 /// What the paper's zigzag leaves beside the slope, in strands: its tip's radius, 0.5 mm of 0.7 mm.
 const PAPER_TIP: f64 = 5.0 / 7.0;
 
+/// Meshes may be so many times as large as those of the paper's zigzag. Doubled, prints whose heads ask
+/// for long runs bend twice as far; at 1, they take some percent longer.
+const MESH: f64 = 1.1;
+
 /// A head's flank with the strand that it lays; lengths in mm.
 #[derive(Debug, Clone, Copy)]
 pub struct Strokes {
@@ -57,11 +61,11 @@ impl Strokes {
         PAPER_TIP * self.strand + height.max(0.0) / PAPER_SLOPE_DEG.to_radians().tan()
     }
 
-    /// The greatest height of a slab, at most `most` mm, whose meshes are no larger than those of the
+    /// The greatest height of a slab, at most `most` mm, whose meshes are hardly larger than those of the
     /// paper's zigzag at `most`: a head that asks for long runs gets lower slabs, not a coarser print.
     #[must_use]
     pub fn tallest(&self, most: f64) -> f64 {
-        let mesh = most * self.paper_run(most);
+        let mesh = MESH * most * self.paper_run(most);
         let fits = |height: f64| height * self.run(height) <= mesh * (1.0 + 1e-12);
         if fits(most) {
             return most;
@@ -159,12 +163,12 @@ mod tests {
         }
 
         #[test]
-        fn meshes_are_no_larger_than_the_paper_s(
+        fn meshes_are_hardly_larger_than_the_paper_s(
             tip in 0.2..0.8_f64, slant in 20.0..70.0_f64, strand in 0.3..1.0_f64, most in 1.0..8.0_f64,
         ) {
             let strokes = Strokes::new(&head(tip, slant), strand);
             let tallest = strokes.tallest(most);
-            let mesh = most * strokes.paper_run(most);
+            let mesh = MESH * most * strokes.paper_run(most);
             prop_assert!(tallest <= most);
             prop_assert!(tallest * strokes.run(tallest) <= mesh * (1.0 + 1e-9));
             prop_assert!(tallest == most || tallest * strokes.run(tallest) > mesh * 0.999);

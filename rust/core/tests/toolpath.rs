@@ -2,9 +2,10 @@
 
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
+use wireprint_core::climb::Climb;
 use wireprint_core::strand::{Kind, Strand};
 use wireprint_core::toolpath::{
-    Advance, Climb, Cooling, PathParams, Plate, Strategy as Holding, Toolpath, toolpath,
+    Advance, Cooling, PathParams, Plate, Strategy as Holding, Toolpath, toolpath,
 };
 
 /// A 0.7 mm strand from 1.75 mm filament, nothing on the bed but the print.

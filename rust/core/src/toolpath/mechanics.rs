@@ -1,7 +1,8 @@
 //! How strands are made to hold and to bond: speed, and when the air blows.
 
-use super::params::{Climb, Cooling, PathParams, Strategy};
+use super::params::{Cooling, PathParams, Strategy};
 use super::tuning::{BOND, LEAST_PAUSE, LONG_ENOUGH, SOFT};
+use crate::climb::Climb;
 use crate::strand::Strand;
 
 /// Speed of a strand, mm/s.

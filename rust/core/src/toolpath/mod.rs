@@ -10,7 +10,7 @@ mod tuning;
 use glam::DVec3;
 
 pub use build::toolpath;
-pub use params::{Advance, Climb, Cooling, PathParams, Plate, Strategy};
+pub use params::{Advance, Cooling, PathParams, Plate, Strategy};
 
 use crate::strand::{Kind, Strand};
 

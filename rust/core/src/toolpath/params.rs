@@ -5,6 +5,8 @@ use std::f64::consts::FRAC_PI_4;
 use glam::DVec2;
 use serde::Deserialize;
 
+use crate::climb::Climb;
+
 /// The bed, about its centre.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -63,17 +65,6 @@ pub enum Advance {
     Sideways,
     /// For none.
     None,
-}
-
-/// How fast an axis rises that is slower than the strands that it draws.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-pub struct Climb {
-    /// Greatest speed, mm/s.
-    #[serde(rename = "mm_s")]
-    pub speed: f64,
-    /// Greatest acceleration, mm/s².
-    #[serde(rename = "mm_s2")]
-    pub accel: f64,
 }
 
 /// What the toolpath depends on; lengths in mm, speeds in mm/s, times in s.

@@ -2,14 +2,24 @@
 
 use glam::DVec2;
 
+use crate::coil::DOT;
 use crate::slices::outlines::Loop;
-use crate::slices::tuning::{DOT, STROKE};
+use crate::slices::tuning::STROKE;
+
+/// Length and smooth turning of a loop.
+#[derive(Clone, Copy)]
+pub struct Ring {
+    /// Its length, mm.
+    pub length: f64,
+    /// How far it turns without its corners, rad.
+    pub turning: f64,
+}
 
 /// Length and smooth turning of a slice's loops.
 #[derive(Clone)]
 pub struct Outline {
-    /// Lengths of the loops that are no dots, mm.
-    pub lengths: Vec<f64>,
+    /// The loops that are no dots, the shortest first.
+    pub rings: Vec<Ring>,
     /// Length of all loops, mm.
     pub length: f64,
     /// Turning of all loops without their corners, rad.
@@ -19,22 +29,18 @@ pub struct Outline {
 impl Outline {
     /// What loops tell, for strands of a diameter and a longest free end, mm.
     pub fn new(loops: &[Loop], strand: f64, free_end: f64) -> Self {
-        let mut outline = Self { lengths: Vec::new(), length: 0.0, turning: 0.0 };
+        let mut outline = Self { rings: Vec::new(), length: 0.0, turning: 0.0 };
         for l in loops {
             let length = perimeter(l);
+            let turning = smooth_turning(l, STROKE * free_end);
             outline.length += length;
-            outline.turning += smooth_turning(l, STROKE * free_end);
+            outline.turning += turning;
             if length > DOT * strand {
-                outline.lengths.push(length);
+                outline.rings.push(Ring { length, turning });
             }
         }
+        outline.rings.sort_by(|a, b| a.length.total_cmp(&b.length));
         outline
-    }
-
-    /// The squares of the numbers of posts that the loops lack to stand on three each, summed, where
-    /// posts stand `spacing` mm apart.
-    pub fn wobble(&self, spacing: f64) -> f64 {
-        self.lengths.iter().map(|l| (3.0 - (l / spacing).floor()).max(0.0).powi(2)).sum()
     }
 }
 

@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use crate::climb::Climb;
+
 /// What the choice of heights depends on; lengths in mm.
 #[derive(Debug, Clone, Copy, Deserialize)]
 pub struct HeightParams {
@@ -29,4 +31,6 @@ pub struct HeightParams {
     /// Pause at each post, s.
     #[serde(rename = "pause_s")]
     pub pause: f64,
+    /// The axis that raises the head; None where it is as fast as the others.
+    pub climb: Option<Climb>,
 }

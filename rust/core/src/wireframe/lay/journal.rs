@@ -193,6 +193,20 @@ impl<'a> Journal<'a> {
         self.push(from, to, kind, floating);
     }
 
+    /// Prints the turns of a coil, one upon the other. Of what it is the head meets the last one first:
+    /// it alone is an obstacle.
+    pub fn coil(&mut self, turns: &[Vec<DVec3>], kind: Kind) {
+        for (number, turn) in turns.iter().enumerate() {
+            for ends in turn.windows(2).filter(|ends| ends[0].distance(ends[1]) > SAME) {
+                let from = self.at().filter(|at| at.distance(ends[0]) < SAME).unwrap_or(ends[0]);
+                if number + 1 == turns.len() {
+                    self.obstacles.add(from, ends[1]);
+                }
+                self.push(from, ends[1], kind, false);
+            }
+        }
+    }
+
     fn push(&mut self, from: DVec3, to: DVec3, kind: Kind, floating: bool) {
         let slab = self.slab;
         let strand = Strand { from, to, kind, slab, floating, flow: 1.0, direct: false };

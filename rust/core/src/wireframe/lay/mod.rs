@@ -7,6 +7,7 @@ pub mod bare_rims;
 pub mod bed;
 pub mod begin;
 pub mod carry;
+pub mod coil;
 pub mod context;
 pub mod contour;
 pub mod decks;

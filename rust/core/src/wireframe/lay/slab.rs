@@ -8,6 +8,7 @@ use crate::geometry::tour::tour;
 use crate::wireframe::frame::Reason;
 use crate::wireframe::lay::bare_rims::print_crowded_rims;
 use crate::wireframe::lay::carry::{Carried, carry, is_far};
+use crate::wireframe::lay::coil::coil;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::{is_support, ring, rings};
 use crate::wireframe::lay::faces::{close, give_up};
@@ -65,6 +66,12 @@ pub fn slab_in(
             continue;
         }
         turns += 1;
+        if pairs[next].is_none()
+            && let Some(rim) = coil(cx, journal, top, &jobs[next], ground)
+        {
+            printed.rims[jobs[next].curve] = Some(rim);
+            continue;
+        }
         let other = pairs[next].filter(|&other| !done[other]);
         let both = other.and_then(|other| {
             let found = woven(cx, journal, top, [&jobs[next], &jobs[other]], ground)?;

@@ -23,8 +23,12 @@ const LOOSE: f64 = 2.6;
 
 /// Gaps wider than this part of the longest span want a support.
 const WIDE: f64 = 0.6;
-/// The strokes of a ledge stand this part of the distance between a cap's strands apart at least.
-pub const LEDGE: f64 = 0.8;
+/// The strokes of a ledge stand so many times the distance between a cap's strands apart at least: there
+/// and back, two lie in each space. Doubled, places between them are bare; halved, ledges take twice
+/// as long.
+pub const LEDGE: f64 = 1.5;
+/// Ties keep this part of that distance from posts.
+const BESIDE: f64 = 0.8;
 /// Ties, which only hold, stand so many times that distance apart.
 pub const TIE: f64 = 2.0;
 
@@ -101,7 +105,7 @@ pub fn tighten(
         return standing;
     }
     let from_start = |s: f64| curve.forward(standing.start, s);
-    let margin = LEDGE * cx.p.cap_spacing;
+    let margin = BESIDE * cx.p.cap_spacing;
     let wanted = |post: &Post| {
         let s = from_start(post.s);
         wide_gaps.iter().any(|&(begin, gap)| {

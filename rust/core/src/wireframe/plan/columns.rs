@@ -20,6 +20,9 @@ use crate::wireframe::plan::strips::Strip;
 /// Radius of a column as a part of what a zigzag of the highest slab takes from post to post: room
 /// for three posts at the usual slab heights.
 const SLENDER: f64 = 0.4;
+/// Radius of the ring that a column is, in strands: it is coiled. Doubled, columns take twice as long;
+/// halved, they bend four times as much as they need.
+const SLIM: f64 = 4.0;
 /// Corners of a column.
 const CORNERS: usize = 12;
 /// A column serves what lies within this part of the longest span beside it.
@@ -84,7 +87,7 @@ pub fn add(
     let radius = SLENDER * strokes.run(strokes.tallest(head.cone_height));
     let found = Site::of(sliced, radius, p).columns(needs);
     for planned in &found {
-        raise(sliced, radius, planned);
+        raise(sliced, SLIM * p.strand, planned);
     }
     !(found.is_empty() && roofs.is_empty())
 }

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::*;
 use crate::mesh::Mesh;
 use crate::printer::Printer;
+use crate::slices::heights::outline::Ring;
 use crate::solids::{Random, revolved};
 
 /// The candidates, what is wanted, and what slices tell, all at random.
@@ -29,9 +30,16 @@ impl Case {
             .collect();
         wanted.sort_by(|a, b| a.low.total_cmp(&b.low));
         let outlines = heights.iter().map(|_| {
-            let lengths: Vec<f64> = (0..3).map(|_| random.between(5.0, 120.0)).collect();
-            let length = lengths.iter().sum::<f64>() + 3.0;
-            Outline { lengths, length, turning: random.between(0.0, 9.0) }
+            let mut rings: Vec<Ring> = (0..3)
+                .map(|_| Ring {
+                    length: random.between(5.0, 120.0),
+                    turning: random.between(0.0, 3.0),
+                })
+                .collect();
+            rings.sort_by(|a, b| a.length.total_cmp(&b.length));
+            let length = rings.iter().map(|ring| ring.length).sum::<f64>() + 3.0;
+            let turning = rings.iter().map(|ring| ring.turning).sum::<f64>() + 1.0;
+            Outline { rings, length, turning }
         });
         let outlines = outlines.collect();
         let (low, high) = (random.between(8.0, 30.0), random.between(8.0, 30.0));
@@ -58,22 +66,29 @@ fn plain(case: &Case, printer: &Printer, i: usize, j: usize) -> f64 {
     let (from, to) = (case.heights[i], case.heights[j]);
     let (height, end) = (to - from, p.free_end);
     let [low, high] = [&case.outlines[i], &case.outlines[j]];
-    let (length, turning) = ((low.length + high.length) / 2.0, (low.turning + high.turning) / 2.0);
+    let length = (low.length + high.length) / 2.0;
     let run = strokes.run(height);
     // Each post goes straight up, its diagonal comes down over a run; the contour lies on them.
-    let zigzags = length / run;
-    let strokes_length = zigzags * (height + height.hypot(run)) + length;
-    let time = zigzags * p.pause + strokes_length / p.speed;
+    let strokes_length = height + height.hypot(run);
+    let per_mm = |pause: f64| (pause + strokes_length / p.speed) / run + 1.0 / p.speed;
+    let (mut time, mut quick) = (length * per_mm(p.pause), length * per_mm(0.6));
+    let mut turning = (low.turning + high.turning) / 2.0;
     let profile = Profile::new(&case.mesh, 0.35, 22.0, 0.5);
     let (stray, leaning) = profile.deviation(from, to, 0.4 * end);
-    let sag = run * strokes.paper_run(height) * turning / (12.0 * length);
     let mut fines = 0.4 * (height / end).powi(2) + 80.0 * leaning / end.powi(2);
-    for lengths in [&low.lengths, &high.lengths] {
-        for l in lengths {
-            let lacking = 3.0 - (l / run).floor();
-            fines += if lacking > 0.0 { 2.0 * lacking * lacking } else { 0.0 };
+    for ring in low.rings.iter().chain(&high.rings) {
+        let lacking = (3.0 - (ring.length / run).floor()).max(0.0);
+        let turns = (height / (0.75 * p.strand)).ceil() + 1.0;
+        let (coiled, zigzag) = (turns * ring.length / p.speed, ring.length * per_mm(p.pause));
+        if lacking > 0.0 && coiled < zigzag + 4.0 * lacking * lacking {
+            time += (coiled - zigzag) / 2.0;
+            turning -= ring.turning / 2.0;
+        } else {
+            fines += 2.0 * lacking * lacking;
         }
     }
+    let sag = run * strokes.paper_run(height) * turning / (12.0 * length);
+    quick = quick.max(time / 2.0);
     if height < p.slab_min {
         fines += 1e4 * (p.slab_min - height) / p.slab_min;
     }
@@ -87,7 +102,7 @@ fn plain(case: &Case, printer: &Printer, i: usize, j: usize) -> f64 {
         let out_of_reach = below.min(above) > p.slab_min / 2.0;
         fines += if (w.wide || is_high) && out_of_reach { 1e4 } else { 0.0 };
     }
-    time * (1.0 + ((stray + sag) / p.deviation_target).powi(2)) + fines
+    time + time.min(quick) * ((stray + sag) / p.deviation_target).powi(2) + fines
 }
 
 #[test]
@@ -130,7 +145,7 @@ fn only_slabs_within_the_bounds_are_made() {
 #[test]
 fn a_slab_of_nothing_costs_no_deviation() {
     let printer = Printer::paper();
-    let nothing = Outline { lengths: Vec::new(), length: 0.0, turning: 0.0 };
+    let nothing = Outline { rings: Vec::new(), length: 0.0, turning: 0.0 };
     let case = Case {
         heights: vec![1.0, 5.0],
         wanted: Vec::new(),
