@@ -19,6 +19,9 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from wireprint import regions as regions
+    from wireprint import settings as settings
+    from wireprint import view as view
     from wireprint._core import (
         KINDS,
         FaultError,
@@ -36,6 +39,7 @@ if TYPE_CHECKING:
     from wireprint.certificate import Certificate, check
     from wireprint.comparison import Comparison, Condition, compare
     from wireprint.forecast import Forecast, simulate
+    from wireprint.inputs import as_mesh
     from wireprint.mesh import load_mesh
     from wireprint.model import Model, load_model
     from wireprint.orientation import Orientation, orient
@@ -71,6 +75,7 @@ __all__ = [
     "Wireframe",
     "WireprintError",
     "__version__",
+    "as_mesh",
     "check",
     "compare",
     "estimate",
@@ -99,6 +104,7 @@ _HOMES = {
     "Region": "wireprint.regions",
     "Settings": "wireprint.settings",
     "WirePrint": "wireprint.pipeline",
+    "as_mesh": "wireprint.inputs",
     "check": "wireprint.certificate",
     "compare": "wireprint.comparison",
     "estimate": "wireprint.timing",
@@ -116,8 +122,14 @@ _HOMES = {
 }
 
 
+#: Modules that are reached by way of the package, too.
+_MODULES = ("regions", "settings", "view")
+
+
 def __getattr__(name: str) -> Any:
     """Import what a name stands for."""
+    if name in _MODULES:
+        return importlib.import_module(f"wireprint.{name}")
     if name not in __all__:
         msg = f"module 'wireprint' has no attribute {name!r}"
         raise AttributeError(msg)
@@ -128,4 +140,4 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """List the names that may be used."""
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, *_MODULES})

@@ -52,9 +52,11 @@ __all__ = [
     "heat_transfer",
     "holding_pause",
     "insert_progress",
+    "lattice_toolpath",
     "nearest",
     "nusselt_across",
     "nusselt_still",
+    "order_lattice",
     "read_amf",
     "read_model_part",
     "read_slicer_config",
@@ -86,6 +88,10 @@ WELD_DISTANCE: float
 
 @final
 class Mesh:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes) -> Mesh: ...
+    def _repr_png_(self) -> bytes: ...
     @staticmethod
     def load(
         path: str | os.PathLike[str],
@@ -232,6 +238,9 @@ _Rgb: TypeAlias = tuple[int, int, int]
 
 @final
 class Strands:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes) -> Strands: ...
     @staticmethod
     def from_gcode(text: bytes) -> Strands: ...
     @staticmethod
@@ -315,6 +324,9 @@ class Scene:
 
 @final
 class Estimate:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes) -> Estimate: ...
     @property
     def total_s(self) -> float: ...
     @property
@@ -377,6 +389,9 @@ class _Figures(TypedDict):
 
 @final
 class Toolpath:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes, mesh: Mesh | None) -> Toolpath: ...
     def figures(self) -> _Figures: ...
     @staticmethod
     def from_arrays(
@@ -391,6 +406,7 @@ class Toolpath:
         slab: npt.NDArray[np.uint32],
     ) -> Toolpath: ...
     def __len__(self) -> int: ...
+    def moved(self, by_mm: tuple[float, float, float]) -> Toolpath: ...
     @property
     def mesh(self) -> Mesh | None: ...
     @property
@@ -475,6 +491,9 @@ class _Layers(_Contours):
 
 @final
 class Wireframe:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes, mesh: Mesh) -> Wireframe: ...
     @property
     def slice_count(self) -> int: ...
     @property
@@ -503,6 +522,7 @@ class Wireframe:
     @property
     def support_mm(self) -> float: ...
     def without(self, dropped: list[int], strand_mm: float) -> Wireframe: ...
+    def beyond(self, standing: list[int]) -> Wireframe: ...
     @property
     def unprinted(
         self,
@@ -513,10 +533,22 @@ def wireframe(
     head: Mapping[str, object],
     params: Mapping[str, object],
     layered: _Layered | None = None,
+    standing: npt.NDArray[np.float64] | None = None,
 ) -> Wireframe: ...
 def nearest(
     places: npt.NDArray[np.float64], among: npt.NDArray[np.float64]
 ) -> npt.NDArray[np.uint32]: ...
+def order_lattice(
+    nodes: npt.NDArray[np.float64],
+    edges: Sequence[Sequence[int]],
+    head: Mapping[str, object],
+    rules: Mapping[str, object],
+) -> tuple[list[tuple[int, bool, bool]], list[tuple[int, str]]]: ...
+def lattice_toolpath(
+    strands: npt.NDArray[np.float64],
+    floating: npt.NDArray[np.bool_],
+    params: Mapping[str, object],
+) -> Toolpath: ...
 def toolpath(wireframe: Wireframe, params: Mapping[str, object]) -> Toolpath: ...
 
 _Point: TypeAlias = tuple[float, float, float]
@@ -525,6 +557,10 @@ _Coverage: TypeAlias = tuple[float, float, list[_Patch]]
 
 @final
 class Certificate:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes) -> Certificate: ...
+    def after(self, line: int) -> Certificate: ...
     @property
     def ok(self) -> bool: ...
     @property
@@ -576,7 +612,7 @@ class Certificate:
     def fidelity(
         self,
         mesh: Mesh,
-        centre_mm: tuple[float, float],
+        origin_mm: tuple[float, float, float],
         aside: set[str],
         inside: set[str],
         terms: _Terms,

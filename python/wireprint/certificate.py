@@ -15,6 +15,7 @@ from wireprint._core import GcodeError
 from wireprint.fitting import placed
 from wireprint.gcode.source import NO_GCODE, read
 from wireprint.rules import Judge, faults_of, judge_of, rules_of, terms_of
+from wireprint.stages import origin_mm
 from wireprint.timing import RELATIVE_ASSUMED
 from wireprint.verdict import (
     Breach,
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     import os
 
     from wireprint.settings import Settings
+    from wireprint.standing import Standing
 
 #: ``;TYPE:`` labels of strands that are no part of the object, which fidelity leaves aside: in
 #: our own files, and in others (CuraEngine labels the posts of its wire prints as support).
@@ -80,7 +82,7 @@ class Fidelity:
     uncovered: tuple[Patch, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Certificate:
     """The verdict on a file: every breach of the rules, in the order of its lines."""
 
@@ -222,7 +224,13 @@ class Certificate:
         ]
 
     def breaches(self) -> dict[str, tuple[Breach, ...]]:
-        """Return the lists of breaches by name."""
+        """Return the lists of breaches by name.
+
+        Returns
+        -------
+        dict
+            Breaches by rule, in the order of lines; empty where it is kept.
+        """
         return {
             "collisions": self.collisions,
             "floating_starts": self.floating_starts,
@@ -236,8 +244,27 @@ class Certificate:
             "unjudged": self.unjudged,
         }
 
+    def __repr__(self) -> str:
+        """Say what the verdict is."""
+        broken = {name: len(found) for name, found in self.breaches().items() if found}
+        said = ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in broken.items())
+        verdict = "printable" if self.ok else f"not printable{said and f': {said}'}"
+        return f"<Certificate {self.printer}, {self.strands} strands: {verdict}>"
+
+    def _repr_png_(self) -> bytes:
+        """Draw the picture that a notebook shows: what was judged, its breaches marked."""
+        from wireprint.notebook import picture
+
+        return picture(self)
+
     def to_dict(self) -> dict[str, Any]:
-        """Everything as values that JSON knows."""
+        """Everything as values that JSON knows.
+
+        Returns
+        -------
+        dict
+            What ``wireprint check --json`` prints.
+        """
         values: dict[str, Any] = {
             "ok": self.ok,
             "printer": self.printer,
@@ -267,6 +294,8 @@ def check(
     model: _core.Mesh | None = None,
     *,
     deviation: bool = True,
+    standing: Standing | None = None,
+    at_mm: Point = (0.0, 0.0, 0.0),
 ) -> Certificate:
     """Judge a G-code file, or G-code in memory.
 
@@ -281,10 +310,16 @@ def check(
         Mesh to compare with, placed as `slice` places it: in the middle of the bed.
     deviation
         Whether to measure how far strands lie from the model, too, not only what they cover.
+    standing
+        What stands on the bed already: earlier prints are judged together with this one, as one
+        text, whose lines come after theirs (`Standing.place`); objects are in the way.
+    at_mm
+        Where the model stands from the middle of the bed, mm.
 
     Returns
     -------
     Certificate
+        The verdict.
 
     Raises
     ------
@@ -304,24 +339,28 @@ def check(
     judge = judge_of(text, printer, name)
     settings = judge.settings
     rules = rules_of(settings)
-    core = _core.certify(text, rules)
+    if standing is None:
+        core = _core.certify(text, rules)
+    else:
+        core = _core.certify(standing.text + text, rules).after(standing.given)
     if core.moves == 0:
         raise GcodeError(f"{name}: it moves nothing: if it was cut off, write it again; {NO_GCODE}")
     aside = ASIDE if text.startswith(OWN_MARK) else FOREIGN_ASIDE
-    fidelity = None if model is None else _fidelity(core, model, settings, aside, deviation)
+    fidelity = None if model is None else _fidelity(core, model, at_mm, settings, aside, deviation)
     return Certificate(judge, rules, fidelity, core)
 
 
 def _fidelity(
     core: _core.Certificate,
     model: _core.Mesh,
+    at_mm: Point,
     settings: Settings,
     aside: frozenset[str],
     deviation: bool,
 ) -> Fidelity:
     (share, area_mm2, patches), found = core.fidelity(
         placed(model, settings).mesh,
-        settings.printer.bed.centre_mm,
+        origin_mm(settings, at_mm),
         set(aside),
         set(INSIDE),
         terms_of(settings),

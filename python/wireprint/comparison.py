@@ -48,7 +48,13 @@ class Comparison:
     failures: dict[str, str] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return everything as values that JSON knows."""
+        """Return everything as values that JSON knows.
+
+        Returns
+        -------
+        dict
+            ``conditions`` and ``failed``.
+        """
         return {
             "conditions": [asdict(condition) for condition in self.conditions],
             "failed": [

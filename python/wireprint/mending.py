@@ -8,8 +8,8 @@ import numpy as np
 
 from wireprint.certificate import check
 from wireprint.gcode import document
-from wireprint.stages import toolpath
-from wireprint.verdict import Span
+from wireprint.stages import origin_mm, toolpath
+from wireprint.verdict import Point, Span
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from wireprint._core import Wireframe
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
+    from wireprint.standing import Standing
 
 #: Most prints that are tried: what hangs on something that was dropped falls in the next round.
 ROUNDS: Final = 100
@@ -38,7 +39,13 @@ _MENDED: Final = (
 )
 
 
-def mended(strands: Wireframe, certificate: Certificate, settings: Settings) -> Wireframe | None:
+def mended(
+    strands: Wireframe,
+    certificate: Certificate,
+    settings: Settings,
+    standing: Standing | None = None,
+    at_mm: Point = (0.0, 0.0, 0.0),
+) -> Wireframe | None:
     """Leave out of a print the strands that break the rules, and what would hang on them.
 
     Parameters
@@ -49,6 +56,8 @@ def mended(strands: Wireframe, certificate: Certificate, settings: Settings) -> 
         The verdict on it.
     settings
         What it was made with.
+    standing, at_mm
+        What stands already, and where the print does; see `wireprint.check`.
 
     Returns
     -------
@@ -60,32 +69,33 @@ def mended(strands: Wireframe, certificate: Certificate, settings: Settings) -> 
     for number in range(ROUNDS):
         if any(found for name, found in certificate.breaches().items() if name not in _MENDED):
             return None
-        dropped = _blamed(strands, certificate, settings)
+        dropped = _blamed(strands, certificate, origin_mm(settings, at_mm))
         throughout = number == 0 and len(dropped) > _MOST * strands.strand_count
         if throughout or not 0 < len(dropped) < strands.strand_count:
             return None
         strands = strands.without(dropped, settings.strand_mm)
-        text = document.body(toolpath(strands, settings), settings, document.dated(None))
-        certificate = check(text, settings)
+        path = toolpath(strands, settings, standing, at_mm)
+        text = document.body(path, settings, document.dated(None))
+        certificate = check(text, settings, standing=standing)
         if certificate.ok:
             return strands
     return None
 
 
-def _blamed(strands: Wireframe, certificate: Certificate, settings: Settings) -> list[int]:
+def _blamed(strands: Wireframe, certificate: Certificate, origin: Point) -> list[int]:
     """Return the numbers of the strands that are to blame, ascending."""
     own = strands.strands
-    numbers = (_number(own, ends) for ends in _faulty(certificate, settings))
+    numbers = (_number(own, ends) for ends in _faulty(certificate, origin))
     return sorted({number for number in numbers if number is not None})
 
 
-def _faulty(certificate: Certificate, settings: Settings) -> list[npt.NDArray[np.float64]]:
-    """Return the ends of the file's strands that are to blame, mm, from the middle of the bed.
+def _faulty(certificate: Certificate, origin: Point) -> list[npt.NDArray[np.float64]]:
+    """Return the ends of the file's strands that are to blame, mm, from the print's origin.
 
     A breach is put down to the strand of its line, or to the next one where the head only comes
     to it; of a stretch that hangs too far, all strands are to blame.
     """
-    centre = np.array([*settings.printer.bed.centre_mm, 0.0])
+    centre = np.array(origin)
     laid, lines = certificate.core.strands, certificate.core.strand_lines
     found = []
     for name in _MENDED:

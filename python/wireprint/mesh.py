@@ -87,8 +87,7 @@ def load_mesh(
     SettingError
         An argument is out of its bounds.
     """
-    if units not in UNITS_MM:
-        raise SettingError(f"units is {units!r}; it must be one of {', '.join(UNITS_MM)}")
+    unit_mm = mm_per(units)
     suffix = format_of(path, file_format)
     placement: dict[str, Any] = {
         "scale": scale,
@@ -126,7 +125,7 @@ def load_mesh(
         )
         raise ModelError(msg)
     _no_plates(path, plate)
-    return Mesh.load(path, suffix, **placement | {"scale": scale * UNITS_MM[units]})
+    return Mesh.load(path, suffix, **placement | {"scale": scale * unit_mm})
 
 
 def _no_plates(path: str | os.PathLike[str], plate: int | None) -> None:
@@ -151,6 +150,19 @@ def _states_its_unit(path: str | os.PathLike[str], kind: str, units: str) -> Non
     """
     if units != "mm":
         raise SettingError(f"{path}: {kind} file states its own unit; use scale instead of units")
+
+
+def mm_per(units: str) -> float:
+    """Return how many millimetres a unit has.
+
+    Raises
+    ------
+    SettingError
+        There is no such unit.
+    """
+    if units not in UNITS_MM:
+        raise SettingError(f"units is {units!r}; it must be one of {', '.join(UNITS_MM)}")
+    return UNITS_MM[units]
 
 
 def format_of(path: str | os.PathLike[str], file_format: str | None = None) -> str:

@@ -55,6 +55,11 @@ def load_model(
     **placement
         See `wireprint.load_mesh`.
 
+    Returns
+    -------
+    Model
+        The mesh with its marks; of a project with its settings, too.
+
     Raises
     ------
     ModelError, SettingError

@@ -104,7 +104,13 @@ class Orientation:
         return f"{turned if any(self.rotate_deg) else 'left as given'}: {self.why}"
 
     def to_dict(self) -> dict[str, Any]:
-        """Return everything in JSON's types."""
+        """Return everything in JSON's types.
+
+        Returns
+        -------
+        dict
+            The turn, why, and all poses.
+        """
         return {
             "rotate_deg": list(self.rotate_deg),
             "why": self.why,

@@ -9,12 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wireprint import report
+from wireprint._core import Mesh, SettingError, UnprintableError
 from wireprint.certificate import check
 from wireprint.files import written_whole
 from wireprint.fitting import fitted, placed
 from wireprint.gcode import document
 from wireprint.slimness import strand_of
-from wireprint.stages import toolpath, wireframe
+from wireprint.stages import origin_mm, toolpath, wireframe
 from wireprint.timing import Filament
 from wireprint.wholeness import is_whole, refusal
 
@@ -23,15 +24,18 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from datetime import datetime
 
-    from wireprint._core import Estimate, Mesh, Toolpath, Wireframe
+    from wireprint._core import Estimate, Toolpath, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.gcode.document import Thumbnail
     from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.sketch import Sketch
+    from wireprint.inputs import ModelLike
     from wireprint.orientation import Orientation
     from wireprint.regions import Region
     from wireprint.remedies import Remedy
     from wireprint.settings import Settings
+    from wireprint.standing import Standing
+    from wireprint.verdict import Point
     from wireprint.weakness import Weak
 
 
@@ -59,7 +63,7 @@ class Clock:
         self.timings_s[name] = time.perf_counter() - begin
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class WirePrint:
     """A model with everything that was made from it."""
 
@@ -96,7 +100,13 @@ class WirePrint:
         return _sketch(self.mesh, self.planned or self.wireframe, self.settings)
 
     def figures(self) -> dict[str, Any]:
-        """Tell what people want to know, under the keys of ``wireprint slice --json``."""
+        """Tell what people want to know, under the keys of ``wireprint slice --json``.
+
+        Returns
+        -------
+        dict
+            Values that JSON knows.
+        """
         moves = self.toolpath.figures()
         filament, filament_mm = Filament.of(self.settings), self.estimate.filament_mm
         return {
@@ -125,9 +135,41 @@ class WirePrint:
         }
 
     def unprinted(self) -> list[report.Unprinted]:
-        """List what is not printed: what the certificate finds bare, and what planning left out."""
+        """List what is not printed: what the certificate finds bare, and what planning left out.
+
+        Returns
+        -------
+        list of Unprinted
+            Parts, the largest first.
+        """
         fidelity = None if self.certificate is None else self.certificate.fidelity
         return report.unprinted(self.wireframe.unprinted, fidelity, self.settings)
+
+    def _told(self) -> str:
+        """Say time, filament and verdict."""
+        from wireprint.notebook import told
+
+        figures = {
+            "print_time_s": self.estimate.total_s,
+            "filament_g": Filament.of(self.settings).grams(self.estimate.filament_mm),
+        }
+        return told(figures | self._verdict())
+
+    def __repr__(self) -> str:
+        """Say what it comes to; the parts are attributes."""
+        return f"<WirePrint {self.settings.printer.name}: {self._told()}>"
+
+    def _repr_png_(self) -> bytes:
+        """Draw the picture that a notebook shows."""
+        from wireprint.notebook import picture
+
+        return picture(self)
+
+    def _repr_html_(self) -> str:
+        """Draw it, and say time, filament and verdict below."""
+        from wireprint.notebook import page
+
+        return page(self, self._told())
 
     def _verdict(self) -> dict[str, Any]:
         """Return whether the file keeps the rules, and how faithful it is."""
@@ -146,8 +188,8 @@ class WirePrint:
 
 
 def make(
-    mesh: Mesh,
-    settings: Settings,
+    mesh: ModelLike,
+    settings: Settings | None = None,
     region: Region | None = None,
     *,
     date: datetime | None = None,
@@ -159,18 +201,23 @@ def make(
     oversize: bool = False,
     weak: bool = False,
     kept: Sketch | None = None,
+    standing: Standing | None = None,
+    at_mm: Point = (0.0, 0.0, 0.0),
 ) -> WirePrint:
-    """Turn a mesh into a wire print.
+    """Turn a model into a wire print.
 
     Parameters
     ----------
     mesh
-        The model, placed.
+        The model: a mesh, a file's path, vertices and faces, or what has both, such as a
+        ``trimesh.Trimesh``; see `wireprint.as_mesh`.
     settings
-        Printer, material and way of wiring.
+        Printer, material and way of wiring; default: a project's own, else those of
+        ``Settings.load()``.
     region
-        What is printed as layers, in the coordinates of `mesh`; None, or an empty one: nothing.
-        Parts of it that cannot be printed so stay wire; `WirePrint.regions` names them.
+        What is printed as layers, in the coordinates of the placed mesh, after what is marked in
+        the model's file; None, or an empty one: nothing else. Parts of it that cannot be printed so
+        stay wire; `WirePrint.regions` names them.
     date
         Written into the file; default: as `document.dated` without a file.
     clock
@@ -191,6 +238,16 @@ def make(
     kept
         `WirePrint.sketch` of an earlier print of the same mesh with the same settings, which was
         not oriented: the print is the same without it, but takes longer.
+    standing
+        What stands on the bed already: the head keeps clear of it, strands that stand are not
+        printed again, and the verdict is on all prints as one.
+    at_mm
+        Where the middle of the model's foot stands, from the middle of the bed, mm.
+
+    Returns
+    -------
+    WirePrint
+        The file, and everything that it was made from.
 
     Raises
     ------
@@ -201,27 +258,36 @@ def make(
         Too much of the model would be left out, or all of it; the message names the parts, and a
         remedy that was tried.
     ModelError
-        No slice has a contour.
+        The model cannot be read, or no slice has a contour.
     """
+    given, settings, region = _resolved(mesh, settings, region)
 
     def attempt(remedy: Remedy) -> Certificate | None:
         turn = orient or remedy.orient
-        other = make(given, remedy.settings, region, compare=False, orient=turn, partial=True)
-        return other.certificate
+        options: dict[str, Any] = {"compare": False, "orient": turn, "partial": True}
+        options |= {"standing": standing, "at_mm": at_mm}
+        return make(given, remedy.settings, region, **options).certificate
 
+    def judged(text: bytes) -> Certificate:
+        return check(text, settings, body, deviation=compare, standing=standing, at_mm=at_mm)
+
+    if region and (standing is not None or at_mm != (0.0, 0.0, 0.0)):
+        raise SettingError("marks cannot be printed as layers onto what stands already")
     clock = clock or Clock()
-    given = mesh
-    orientation = None
+    body, orientation = given, None
     if orient:
         from wireprint.orientation import orient as best
 
         with clock.stage("orient"):
-            orientation = best(mesh, settings)
-        mesh = orientation.mesh
-    place = placed(mesh, settings) if oversize else fitted(mesh, settings)
-    mesh = place.mesh
+            orientation = best(given, settings)
+        body = orientation.mesh
+    place = placed(body, settings) if oversize else fitted(body, settings)
+    body = place.mesh
     with clock.stage("wireframe"):
-        planned = wireframe(mesh, settings) if kept is None else kept.plain
+        if standing is not None:
+            planned = _onto(body, settings, standing, at_mm)
+        else:
+            planned = wireframe(body, settings) if kept is None else kept.plain
     strands, regions = planned, None
     if region:
         from wireprint.hybrid.motion import motion
@@ -229,14 +295,17 @@ def make(
 
         with clock.stage("regions"):
             x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
-            moved = region.transformed(motion(given, mesh, (x, y, z + place.turn_deg)))
-            regions = proved(kept or _sketch(mesh, planned, settings), moved, clock.step)
+            moved = region.transformed(motion(given, body, (x, y, z + place.turn_deg)))
+            regions = proved(kept or _sketch(body, planned, settings), moved, clock.step)
             strands = regions.wireframe
     if not strands.strand_count:
         left_out = report.unprinted(strands.unprinted, None, settings)
         raise refusal(None, left_out, settings, None if partial else attempt)
     with clock.stage("toolpath"):
-        path = regions.toolpath if regions is not None else toolpath(strands, settings)
+        if regions is not None:
+            path = regions.toolpath
+        else:
+            path = toolpath(strands, settings, standing, at_mm)
     with clock.stage("gcode"):
         remarks = [] if orientation is None else [str(orientation)]
         remarks += [str(place)] if place.turn_deg else []
@@ -244,17 +313,17 @@ def make(
     certificate = None
     if certify:
         with clock.stage("check"):
-            certificate = check(gcode, settings, mesh, deviation=compare)
+            certificate = judged(gcode)
         if not certificate.ok:
             from wireprint.mending import mended
 
             with clock.stage("mend"):
-                left = mended(strands, certificate, settings)
+                left = mended(strands, certificate, settings, standing, at_mm)
             if left is not None:
-                strands, path = left, toolpath(left, settings)
+                strands, path = left, toolpath(left, settings, standing, at_mm)
                 regions = regions and replace(regions, wireframe=strands, toolpath=path)
                 gcode, estimate = _written(path, settings, date, remarks)
-                certificate = check(gcode, settings, mesh, deviation=compare)
+                certificate = judged(gcode)
     places = None
     if weak:
         from wireprint.weakness import find_weak
@@ -263,7 +332,7 @@ def make(
             places = find_weak(gcode, settings)
     made = WirePrint(
         settings,
-        mesh,
+        body,
         strands,
         path,
         regions,
@@ -279,6 +348,45 @@ def make(
     if certificate is not None and not partial and not is_whole(certificate, settings):
         raise refusal(certificate, made.unprinted(), settings, attempt)
     return made
+
+
+def _resolved(
+    given: ModelLike, settings: Settings | None, region: Region | None
+) -> tuple[Mesh, Settings, Region | None]:
+    """Return a mesh on the bed, with the settings and marks of its file where it has some."""
+    if not isinstance(given, Mesh):
+        from wireprint.inputs import as_model
+
+        model = as_model(given)
+        settings = model.settings if settings is None else settings
+        if model.region:
+            region = model.region if region is None else model.region.add(region)
+        given = model.mesh
+    if settings is None:
+        from wireprint.settings import Settings
+
+        settings = Settings.load()
+    return given, settings, region
+
+
+def _onto(mesh: Mesh, settings: Settings, standing: Standing, at_mm: Point) -> Wireframe:
+    """Return what is left to print of a model, part of which may stand already.
+
+    Where some of it does, it is planned as if nothing stood, for what stands is its own; else clear
+    of what stands.
+
+    Raises
+    ------
+    UnprintableError
+        Nothing is left.
+    """
+    plain = wireframe(mesh, settings)
+    done = standing.printed_of(plain, origin_mm(settings, at_mm))
+    if not done:
+        return wireframe(mesh, settings, None, standing, at_mm)
+    if len(done) == plain.strand_count:
+        raise UnprintableError("all of it stands already: there is nothing left to print")
+    return plain.beyond(done)
 
 
 def _sketch(mesh: Mesh, plain: Wireframe, settings: Settings) -> Sketch:
@@ -306,6 +414,11 @@ def to_gcode(
         Written into the file; default: as `document.dated` without a file.
     remarks
         Lines of the header of their own.
+
+    Returns
+    -------
+    bytes
+        The text.
 
     Raises
     ------

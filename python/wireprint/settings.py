@@ -28,6 +28,8 @@ from wireprint.gcode import sequence
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
+    from wireprint.keys import Key
+
 # Bounds are what machines can be: from a watchmaker's printer to one that fills a hall. They keep
 # numbers away that would only overflow a formula or ask for more slices than there is memory.
 Millimetres = Annotated[float, Field(ge=0.1, le=2000)]
@@ -95,7 +97,7 @@ class Section(BaseModel):
 class Bed(Section):
     """The build volume."""
 
-    shape: Literal["round", "rectangular"]
+    shape: Literal["round", "rectangular"] = Field(description="round: a delta's, mostly")
     diameter_mm: BedSize | None = Field(None, description="of a round bed")
     width_mm: BedSize | None = Field(None, description="of a rectangular bed, along x")
     depth_mm: BedSize | None = Field(None, description="of a rectangular bed, along y")
@@ -281,10 +283,10 @@ class Homing(Section):
 class Extruder(Section):
     """What feeds the filament."""
 
-    filament_diameter_mm: float = Field(ge=1, le=4)
+    filament_diameter_mm: float = Field(ge=1, le=4, description="as it is sold: 1.75 or 2.85")
     retract_mm: float = Field(ge=0, le=20, description="pulled back before a travel; 0: never")
-    retract_speed_mm_s: float = Field(ge=0.1, le=200)
-    unretract_speed_mm_s: float = Field(ge=0.1, le=200)
+    retract_speed_mm_s: float = Field(ge=0.1, le=200, description="of pulling back")
+    unretract_speed_mm_s: float = Field(ge=0.1, le=200, description="of pushing forward again")
     max_flow_mm3_s: float = Field(ge=0.01, le=200, description="what the hot end melts")
     pressure_lag_s: float = Field(
         0.0,
@@ -300,7 +302,7 @@ class Speeds(Section):
     print_mm_s: float = Field(
         ge=0.1, le=500, description="along strands; 30 is the paper's optimum with a 1 s pause"
     )
-    travel_mm_s: float = Field(ge=0.1, le=1000)
+    travel_mm_s: float = Field(ge=0.1, le=1000, description="of the head without extruding")
     first_layer_mm_s: float = Field(ge=0.1, le=500, description="along strands that lie on the bed")
 
 
@@ -339,7 +341,7 @@ class Macro(Section):
 class Gcode(Section):
     """The dialect, and what comes before and after the print."""
 
-    flavor: Flavor
+    flavor: Flavor = Field(description="firmware that reads the G-code")
     relative_extrusion: bool = Field(True, description="M83, not M82")
     type_words: Literal["own", "prusa"] = Field(
         "own",
@@ -380,11 +382,13 @@ class Gcode(Section):
 class Printer(Section):
     """A machine: ``profiles/printers/*.toml``."""
 
-    name: Name
+    name: Name = Field(description="what the profile is called")
     known_as: tuple[str, ...] = Field(
         (), max_length=50, description="what slicers call it in the files that they write"
     )
-    kinematics: Literal["delta", "cartesian", "corexy"]
+    kinematics: Literal["delta", "cartesian", "corexy"] = Field(
+        description="how motors move the head; a cartesian's or corexy's axes are limited each"
+    )
     bed: Bed
     head: Head
     motion: Motion
@@ -408,8 +412,8 @@ class Printer(Section):
 class Material(Section):
     """A filament: ``profiles/materials/*.toml``."""
 
-    name: Name
-    density_g_cm3: float = Field(gt=0.5, le=10)
+    name: Name = Field(description="what the profile is called")
+    density_g_cm3: float = Field(gt=0.5, le=10, description="of the filament")
     price_per_kg: float = Field(ge=0, le=1e6, description="in the user's currency")
     nozzle_c: int = Field(ge=100, le=500, description="temperature of the nozzle")
     bed_c: int = Field(ge=0, le=200, description="temperature of the bed")
@@ -618,8 +622,8 @@ class FastProfile(LayerProfile):
 
     layer_height_mm: LayerHeight = Field(0.3, description="coarse for a 0.4 mm nozzle")
     print_mm_s: PrintSpeed = Field(270.0, description="as far as the hot end melts")
-    first_layer_mm_s: PrintSpeed = 50.0
-    travel_mm_s: TravelSpeed = 500.0
+    first_layer_mm_s: PrintSpeed = Field(50.0, description="Bambu Lab's")
+    travel_mm_s: TravelSpeed = Field(500.0, description="Bambu Lab's")
     max_flow_mm3_s: Flow = Field(20.0, description="a high-flow hot end; None: the printer's")
     printer: str = Field("voron-2.4", description="profile of the CoreXY that it runs on")
     max_velocity_mm_s: Speed = Field(500.0, description="in place of that profile's")
@@ -835,6 +839,11 @@ class Settings(Section):
         load, overrides, nozzle_mm
             As for `load`.
 
+        Returns
+        -------
+        Settings
+            New ones; these stay as they are.
+
         Raises
         ------
         SettingError
@@ -849,6 +858,16 @@ class Settings(Section):
     def from_mapping(cls, values: "Mapping[str, Any]") -> Self:
         """Validate a mapping of the form that ``model_dump`` gives.
 
+        Parameters
+        ----------
+        values
+            Tables by name, values by key.
+
+        Returns
+        -------
+        Settings
+            What they amount to.
+
         Raises
         ------
         SettingError
@@ -857,3 +876,27 @@ class Settings(Section):
         from wireprint import _compose
 
         return _compose.validate(cls, values, {})
+
+    def __repr__(self) -> str:
+        """Say whose they are; ``model_dump()`` holds every value."""
+        return f"<Settings {self.printer.name} with {self.material.name}>"
+
+    __str__ = __repr__
+
+
+def describe() -> "tuple[Key, ...]":
+    """List every key that can be set, with its unit, bounds, default and help.
+
+    Returns
+    -------
+    tuple of Key
+        In the order of the settings; `Key.to_dict` gives values that JSON knows.
+
+    Examples
+    --------
+    >>> {key.short: key.bounds for key in describe()}["head.slant_deg"]
+    '5 … 85'
+    """
+    from wireprint.keys import described
+
+    return described(Settings)

@@ -15,9 +15,17 @@ from wireprint.gcode.flavors import FLAVORS
 if TYPE_CHECKING:
     from wireprint._core import Mesh, Toolpath, Wireframe, _Layered
     from wireprint.settings import Printer, Settings
+    from wireprint.standing import Standing
+    from wireprint.verdict import Point
 
 
-def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -> Wireframe:
+def wireframe(
+    mesh: Mesh,
+    settings: Settings,
+    layered: _Layered | None = None,
+    standing: Standing | None = None,
+    at_mm: Point = (0.0, 0.0, 0.0),
+) -> Wireframe:
     """Slice a mesh and lay its strands.
 
     Parameters
@@ -28,6 +36,9 @@ def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -
         Printer, material and way of wiring.
     layered
         What of it is printed as layers, see `hybrid.plan`.
+    standing, at_mm
+        What stands on the bed already, which the head keeps clear of, and where the model does,
+        from the middle of the bed, mm.
 
     Returns
     -------
@@ -40,7 +51,15 @@ def wireframe(mesh: Mesh, settings: Settings, layered: _Layered | None = None) -
         Where no slice has a contour.
     """
     head = settings.printer.head.model_dump()
-    return _core.wireframe(mesh, head, settings.wire.model_dump() | _of_wire(settings), layered)
+    wire = settings.wire.model_dump() | _of_wire(settings)
+    strands = None if standing is None else standing.about(origin_mm(settings, at_mm))
+    return _core.wireframe(mesh, head, wire, layered, strands)
+
+
+def origin_mm(settings: Settings, at_mm: Point) -> Point:
+    """Return where a model's x = y = z = 0 lies in the machine's coordinates, mm."""
+    x, y = settings.printer.bed.centre_mm
+    return x + at_mm[0], y + at_mm[1], at_mm[2]
 
 
 def _of_wire(settings: Settings) -> dict[str, object]:
@@ -58,7 +77,12 @@ def _of_wire(settings: Settings) -> dict[str, object]:
     }
 
 
-def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
+def toolpath(
+    wireframe: Wireframe,
+    settings: Settings,
+    standing: Standing | None = None,
+    at_mm: Point = (0.0, 0.0, 0.0),
+) -> Toolpath:
     """Plan every move of the head.
 
     Parameters
@@ -67,15 +91,28 @@ def toolpath(wireframe: Wireframe, settings: Settings) -> Toolpath:
         Strands in printing order.
     settings
         The settings that the wireframe was made with.
+    standing, at_mm
+        See `wireframe`.
 
     Returns
     -------
     Toolpath
         Moves as parallel numpy arrays, in the machine's coordinates.
     """
+    top_mm = 0.0 if standing is None else standing.top_mm
+    params = path_params(settings) | {"standing_mm": top_mm - at_mm[2]}
+    if standing is not None:
+        # A skirt would run into what stands; the nozzle was primed for that.
+        params["skirt_rings"] = 0
+    path = _core.toolpath(wireframe, params)
+    return path if at_mm == (0.0, 0.0, 0.0) else path.moved(at_mm)
+
+
+def path_params(settings: Settings) -> dict[str, object]:
+    """Return what moves depend on, on an empty bed."""
     own = (settings.wire, settings.printer.speeds, settings.printer.extruder)
     given = {name: value for section in own for name, value in section.model_dump().items()}
-    return _core.toolpath(wireframe, given | _of_path(settings))
+    return given | _of_path(settings) | {"standing_mm": 0.0}
 
 
 def _of_path(settings: Settings) -> dict[str, object]:

@@ -98,7 +98,7 @@ class PerMove:
     types: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Estimate:
     """The time that a file takes, and where it goes."""
 
@@ -145,6 +145,10 @@ class Estimate:
     stated_s: float | None = field(default=None, compare=False)
     #: One row for each move, where asked for.
     per_move: PerMove | None = None
+
+    def __repr__(self) -> str:
+        """Say how long it takes."""
+        return f"<Estimate {clock(self.total_s)}, {self.filament_g:.1f} g, {self.moves} moves>"
 
     @property
     def remarks(self) -> tuple[str, ...]:

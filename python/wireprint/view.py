@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
 
+from wireprint import _core
 from wireprint._core import Mesh, Scene, SettingError, Strands
 from wireprint.files import GCODE_SUFFIXES, apart, written_whole
 from wireprint.naming import named
@@ -32,11 +33,14 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterable, Sequence
 
     from wireprint._core import Toolpath
+    from wireprint.certificate import Certificate
+    from wireprint.inputs import ModelLike
     from wireprint.model import Model
+    from wireprint.pipeline import WirePrint
     from wireprint.settings import Settings
 
-#: What can be shown: a file, or what is in memory already.
-Source: TypeAlias = "str | os.PathLike[str] | Shown"
+#: What can be shown: a file, G-code as bytes, or what is in memory already.
+Source: TypeAlias = "ModelLike | bytes | WirePrint | Certificate | Strands"
 #: What is in memory: a model is a mesh with marks.
 Shown: TypeAlias = "Strands | Mesh | Model"
 
@@ -95,8 +99,9 @@ def load(source: Source, **placement: Any) -> Shown:
     Parameters
     ----------
     source
-        A G-code or model file, or what is in memory, which is returned as it is.
-    placement
+        A G-code or model file; G-code as bytes; a print or a certificate; whatever
+        `wireprint.as_mesh` takes. Strands, meshes and models are returned as they are.
+    **placement
         How a model is placed: what `wireprint.mesh.load_mesh` takes.
 
     Returns
@@ -111,17 +116,39 @@ def load(source: Source, **placement: Any) -> Shown:
     """
     if isinstance(source, Strands | Mesh):
         return source
-    if not isinstance(source, str | os.PathLike):
-        return source if source.region else source.mesh
-    if is_gcode(source):
+    if isinstance(source, bytes):
+        return Strands.from_gcode(source)
+    if isinstance(gcode := getattr(source, "gcode", None), bytes):
+        return Strands.from_gcode(gcode)
+    if isinstance(source, str | os.PathLike) and is_gcode(source):
         return strands_in(source)
-    from wireprint.model import load_model
+    if (judged := _judged(source)) is not None:
+        core, width_mm = judged.core, judged.rules["strand_mm"]
+        return Strands.from_arrays(core.strands, core.strand_features, core.features, width_mm)
+    from wireprint.inputs import as_model
 
-    return load(load_model(source, **placement))
+    model = as_model(cast("ModelLike", source), **placement)
+    return model if model.region else model.mesh
+
+
+def _judged(source: Source) -> Certificate | None:
+    """Return what is shown if it is a certificate, which brings its breaches along."""
+    judged = isinstance(getattr(source, "core", None), _core.Certificate)
+    return cast("Certificate", source) if judged else None
 
 
 def strands_in(path: str | os.PathLike[str]) -> Strands:
     """Read the strands of a G-code file, whatever its name.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Returns
+    -------
+    Strands
+        What it lays.
 
     Raises
     ------
@@ -157,6 +184,11 @@ def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
     ----------
     toolpath, settings
         See `wireprint.pipeline.to_gcode`.
+
+    Returns
+    -------
+    Strands
+        What it lays.
     """
     from wireprint._core import KINDS
 
@@ -198,7 +230,7 @@ def render_png(
     Parameters
     ----------
     source
-        A G-code or model file, strands, a mesh, or a model with marks.
+        What is drawn, see `load`.
     path
         PNG file to write; none by default.
     size
@@ -210,7 +242,7 @@ def render_png(
     travels
         Whether moves without extrusion are drawn, as thin lines.
     breaches
-        Points (x, y, z) in mm that are marked in red.
+        Points (x, y, z) in mm that are marked in red, beside those of a certificate.
     weak
         Points in mm that are marked as giving way easily, in black.
     edges
@@ -233,6 +265,7 @@ def render_png(
         An argument is out of its bounds.
     """
     shown = load(source)
+    breaches = _breaches(source, breaches)
     scene = Scene(floor=True)
     entries = _fill(scene, shown, kinds, travels, edges)
     for name, points, colour in (("weak", weak, WEAK), ("breach", breaches, BREACH)):
@@ -304,7 +337,7 @@ def render_html(
         shown: Shown = strands_from(gcode, source)
     else:
         shown = load(source)
-    marks, gives = _points(breaches), _points(weak)
+    marks, gives = _points(_breaches(source, breaches)), _points(weak)
     still = render_png(
         shown,
         size=_STILL_PX,
@@ -344,6 +377,11 @@ def _title(title: str | None, source: Source) -> str:
     if title is None:
         title = Path(source).name if isinstance(source, str | os.PathLike) else ""
     return one_line(title)
+
+
+def _breaches(source: Source, more: Iterable[Sequence[float]]) -> list[Sequence[float]]:
+    judged = _judged(source)
+    return [*more, *(() if judged is None else judged.breach_points_mm)]
 
 
 def _points(marked: Iterable[Sequence[float]]) -> list[tuple[float, float, float]]:

@@ -53,6 +53,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "studio",
         "Open a window that paints, shows and prints a model.",
     ),
+    "order": (
+        "wireprint.cli.order",
+        "order",
+        "Print a strut graph: find an order and directions that the head can follow.",
+    ),
     "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
     "bench": ("wireprint.cli.bench", "bench", "Compare and judge many models at once."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),

@@ -11,7 +11,9 @@ from wireprint.streams import is_stream
 
 if TYPE_CHECKING:
     from wireprint._core import Mesh
+    from wireprint.budget import Budget, Budgeted
     from wireprint.cli.marks import Marks
+    from wireprint.cli.onto import Onto
     from wireprint.cli.options import Chosen
     from wireprint.cli.progress import Progress
     from wireprint.files import Output
@@ -28,6 +30,8 @@ class Sliced:
     gcode: bytes
     figures: dict[str, Any]
     clock: Clock
+    #: What it was chosen from, where there is a budget.
+    budgeted: Budgeted | None = None
 
     def written(self, target: Output) -> dict[str, Any]:
         """Write the file; return the figures, among them where it is."""
@@ -43,6 +47,14 @@ class Sliced:
         name = Path(self.figures["model"]).stem if target.path is None else target.path.name
         with self.clock.stage("send"):
             return asdict(send(host, name, self.gcode, start=start))
+
+    def chart(self) -> bytes:
+        """Draw what it was chosen from."""
+        from wireprint.budget.chart import png
+
+        if self.budgeted is None:
+            raise SettingError("alternatives are those within a budget: give --time")
+        return png(self.budgeted, str(self.figures["model"]))
 
 
 @dataclass(frozen=True)
@@ -63,6 +75,12 @@ class Job:
     forecast: bool
     #: Whether each model is turned into its best pose.
     orient: bool
+    #: What the print may take; None: whatever it takes.
+    budget: Budget | None = None
+    #: Keys of settings that a budget leaves as they are.
+    kept: frozenset[str] = frozenset()
+    #: What stands on the bed already; None: nothing.
+    onto: Onto | None = None
 
     def run(self, model: Path, progress: Progress) -> Sliced:
         """Turn one model into G-code."""
@@ -76,19 +94,29 @@ class Job:
             mesh, settings, region = self._loaded(model)
         x, y, z = mesh.size_mm
         warnings = units_meant((x, y, z), self.placement)
+        options: dict[str, Any] = {
+            "date": dated(None if is_stream(model) else model),
+            "clock": clock,
+            "compare": self.compare,
+            "orient": self.orient,
+            "partial": self.force,
+            "oversize": self.force,
+            "weak": self.weak,
+        }
+        budgeted = None
         try:
-            made = make(
-                mesh,
-                settings,
-                region,
-                date=dated(None if is_stream(model) else model),
-                clock=clock,
-                compare=self.compare,
-                orient=self.orient,
-                partial=self.force,
-                oversize=self.force,
-                weak=self.weak,
-            )
+            if self.onto is not None:
+                options |= self.onto.options(settings)
+            if self.budget is None:
+                made = make(mesh, settings, region, **options)
+            else:
+                from wireprint.budget import within
+
+                with clock.stage("budget"):
+                    budgeted = within(
+                        mesh, settings, self.budget, region, kept=self.kept, **options
+                    )
+                made, settings = budgeted.made, budgeted.made.settings
         except IncompleteError as error:
             forced = "\n--force writes it all the same" if error.usable else ""
             raise UnprintableError(f"{model}: {error}{forced}") from error
@@ -119,7 +147,8 @@ class Job:
 
             with clock.stage("forecast"):
                 figures["forecast"] = told(simulate(made.gcode, settings))
-        return Sliced(made.gcode, figures, clock)
+        figures["budget"] = None if budgeted is None else budgeted.to_dict()
+        return Sliced(made.gcode, figures, clock, budgeted)
 
     def _loaded(self, path: Path) -> tuple[Mesh, Settings, Region | None]:
         """Read a model; one that cannot be marked is spared what marks import."""

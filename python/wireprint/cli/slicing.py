@@ -11,8 +11,10 @@ import click
 
 from wireprint import files
 from wireprint._core import WireprintError
+from wireprint.cli.budget import budget_from, budget_options, named_keys, table
 from wireprint.cli.failure import exit_code_of, say_failure
 from wireprint.cli.marks import marks_from, marks_options
+from wireprint.cli.onto import onto_from, onto_options
 from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.parallel import as_they_finish
 from wireprint.cli.paths import InputFile, OutputName
@@ -43,6 +45,8 @@ if TYPE_CHECKING:
 @settings_options
 @placement_options
 @orient_option
+@budget_options
+@onto_options
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 @click.option(
     "--force",
@@ -89,10 +93,19 @@ def slice_models(
     """
     chosen, marks = chosen_from(options), marks_from(options, models)
     host = _host(send, start, models)
-    targets = _targets(models, output, [*models, *chosen.files, *marks.files])
+    wanted = budget_from(options)
+    onto = onto_from(options)
+    if len(models) > 1 and (onto or any(onto.at_mm)):
+        raise click.UsageError("one model at a time is printed onto what stands already")
+    if wanted.budget is not None and (onto or any(onto.at_mm)):
+        raise click.UsageError("a budget is for a bed on which nothing stands: leave --time out")
+    inputs = [*models, *chosen.files, *marks.files, *onto.files]
+    targets = _targets(models, output, inputs)
+    pictures = _pictures(models, wanted.picture, inputs)
     job = Job(
         chosen,
-        chosen.recalled(),
+        # A budget asks them more than a print does.
+        chosen.recalled() if wanted.budget is None else chosen.settings(),
         marks,
         options,
         force=force,
@@ -100,8 +113,13 @@ def slice_models(
         weak=as_json or weak,
         forecast=forecast,
         orient=orient,
+        budget=wanted.budget,
+        kept=named_keys(chosen),
+        onto=onto,
     )
-    told = Told(models, as_json=as_json, quiet=quiet, to_stderr=output == STREAM)
+    told = Told(
+        models, as_json=as_json, quiet=quiet, table=wanted.table, to_stderr=output == STREAM
+    )
     told.host, told.start = host, start
     with Progress(len(models)) as progress:
         calls = [partial(job.run, model, progress) for model in models]
@@ -110,7 +128,7 @@ def slice_models(
             if isinstance(found, BaseException) and len(models) == 1:
                 raise found
             progress.clear()
-            told.add(place, found, targets[place])
+            told.add(place, found, targets[place], None if pictures is None else pictures[place])
     told.finish()
     ctx.exit(told.exit_code)
 
@@ -126,15 +144,21 @@ class Told:
     #: Where files are sent, once they are written, and whether they are printed at once.
     host: Host | None = None
     start: bool = False
+    #: Whether the prints that a budget was chosen from are told.
+    table: bool = False
     exit_code: int = 0
     _figures: dict[int, dict[str, Any]] = field(default_factory=dict)
 
-    def add(self, place: int, found: Sliced | BaseException, target: Output) -> None:
+    def add(
+        self, place: int, found: Sliced | BaseException, target: Output, picture: Output | None
+    ) -> None:
         """Write a model's file, and say what came of it."""
         try:
             if isinstance(found, BaseException):
                 raise found
             figures = found.written(target)
+            if picture is not None:
+                picture.write(found.chart())
             if self.host is not None:
                 figures["sent"] = found.sent(self.host, target, start=self.start)
         except (WireprintError, OSError) as error:
@@ -147,6 +171,8 @@ class Told:
             from wireprint.cli.summary import lines
 
             say_all(lines(figures), err=self.to_stderr)
+            if self.table:
+                say_all(table(figures["budget"]), err=self.to_stderr)
 
     def _failed(self, place: int, error: Exception) -> None:
         model = str(self.models[place])
@@ -172,6 +198,20 @@ def _host(send: str | None, start: bool, models: tuple[Path, ...]) -> Host | Non
     from wireprint import hosts
 
     return hosts.find(send)
+
+
+def _pictures(
+    models: tuple[Path, ...], picture: str | None, inputs: list[Path]
+) -> list[Output] | None:
+    """Where the alternatives of each model are drawn."""
+    if picture is None:
+        return None
+    if len(models) > 1 and not picture.endswith("/"):
+        picture = f"{picture}/"
+    return [
+        files.output(picture, f"{model.stem}.png", files.PICTURE_SUFFIXES, inputs)
+        for model in models
+    ]
 
 
 def _targets(models: tuple[Path, ...], output: str, inputs: list[Path]) -> list[Output]:

@@ -82,7 +82,18 @@ class Mask(Shape):
         return self
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points are nearest to a marked triangle."""
+        """Tell which points are nearest to a marked triangle.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         covered: Flags = self.marked[self._facets.nearest(np.ascontiguousarray(points))]
         return covered
 

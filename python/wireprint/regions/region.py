@@ -36,7 +36,18 @@ class Mark:
     def covers(
         self, points: npt.NDArray[np.float64], normals: npt.NDArray[np.float64]
     ) -> npt.NDArray[np.bool_]:
-        """Tell which points the shape covers, see `Region.covers`."""
+        """Tell which points the shape covers.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         if self.frame is None:
             return self.shape.covers(points, normals)
         frame = np.asarray(self.frame)
@@ -48,7 +59,18 @@ class Mark:
         return self.shape.covers(own, np.divide(turned, length, where=length > 0, out=turned))
 
     def transformed(self, matrix: npt.NDArray[np.float64]) -> Mark:
-        """Return the mark after an affine map of shape (4, 4)."""
+        """Return the mark after an affine map.
+
+        Parameters
+        ----------
+        matrix
+            (4, 4), see `Region.transformed`.
+
+        Returns
+        -------
+        Mark
+            The same shape elsewhere.
+        """
         frame = np.eye(4)
         if self.frame is not None:
             frame[:3] = self.frame
@@ -78,13 +100,35 @@ class Region:
         return any(not mark.erase for mark in self.marks)
 
     def add(self, what: Shape | Region) -> Region:
-        """Return the region with a shape, or with another region's marks after its own."""
+        """Return the region with a shape, or with another region's marks after its own.
+
+        Parameters
+        ----------
+        what
+            What is marked, too.
+
+        Returns
+        -------
+        Region
+            A new one; this one stays as it is.
+        """
         if isinstance(what, Region):
             return Region(self.marks + what.marks)
         return Region((*self.marks, Mark(what)))
 
     def erase(self, shape: Shape) -> Region:
-        """Return the region without what a shape covers."""
+        """Return the region without what a shape covers.
+
+        Parameters
+        ----------
+        shape
+            What is wire again.
+
+        Returns
+        -------
+        Region
+            A new one; this one stays as it is.
+        """
         return Region((*self.marks, Mark(shape, erase=True)))
 
     def covers(
@@ -119,7 +163,18 @@ class Region:
     def covers_known(
         self, points: npt.NDArray[np.float64], normals: npt.NDArray[np.float64]
     ) -> npt.NDArray[np.bool_]:
-        """Tell the same of arrays that were checked, or made here."""
+        """Tell the same of arrays that were checked, or made here.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         covered = np.zeros(len(points), np.bool_)
         for mark in self.marks:
             # A mark can only change points that are not as it would leave them.
@@ -137,6 +192,11 @@ class Region:
         ----------
         matrix
             (4, 4): takes a point of the old frame, as a column with a 1 below, to the new frame.
+
+        Returns
+        -------
+        Region
+            A new one, in the new frame.
 
         Raises
         ------

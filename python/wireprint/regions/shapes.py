@@ -39,7 +39,18 @@ class Shape(BaseModel):
         return hash(type(self))
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points the shape covers; see `wireprint.regions.Region.covers`."""
+        """Tell which points the shape covers.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         raise NotImplementedError
 
 
@@ -57,7 +68,18 @@ class Box(Shape):
         return self
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie in the box."""
+        """Tell which points lie in the box.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         inside = (points >= self.low_mm) & (points <= self.high_mm)
         return inside[:, 0] & inside[:, 1] & inside[:, 2]
 
@@ -70,7 +92,18 @@ class Sphere(Shape):
     radius_mm: Length
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie in the ball."""
+        """Tell which points lie in the ball.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         squared: Floats = np.square(points - self.centre_mm).sum(axis=1)
         return squared <= self.radius_mm**2
 
@@ -89,7 +122,18 @@ class HalfSpace(Shape):
         return self
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie on the side that the normal points to."""
+        """Tell which points lie on the side that the normal points to.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         ahead: Floats = points @ (np.asarray(self.normal) / np.linalg.norm(self.normal))
         return ahead >= self.offset_mm
 
@@ -108,7 +152,18 @@ class ZRange(Shape):
         return self
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie between the heights."""
+        """Tell which points lie between the heights.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         height = points[:, 2]
         inside = np.ones(len(points), np.bool_)
         if self.low_mm is not None:
@@ -125,7 +180,18 @@ class Predicate(Shape):
     function: Callable[[Floats], npt.ArrayLike]
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Ask the function."""
+        """Ask the function.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         covered = np.asarray(self.function(points))
         if covered.dtype != np.bool_ or covered.shape != (len(points),):
             msg = (

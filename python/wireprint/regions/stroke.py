@@ -43,7 +43,18 @@ class Stroke(Shape):
         return self
 
     def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points the stroke covers."""
+        """Tell which points the stroke covers.
+
+        Parameters
+        ----------
+        points, normals
+            See `wireprint.regions.Region.covers`.
+
+        Returns
+        -------
+        numpy.ndarray
+            bool of shape (N,).
+        """
         covered = np.zeros(len(points), np.bool_)
         ends = np.asarray(self.points_mm)
         low, high = ends.min(axis=0) - self.radius_mm, ends.max(axis=0) + self.radius_mm

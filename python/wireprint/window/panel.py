@@ -1,14 +1,16 @@
-"""What can be set, as fields of a form: made from the schema of the settings."""
+"""What can be set, as fields of a form."""
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING, Any, Final, TypedDict
 
-from wireprint.settings import Settings
+from wireprint import keys
+from wireprint.settings import describe
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
+
+    from wireprint.settings import Settings
 
 #: Sections in the order in which they are shown; what changes the picture comes first.
 SECTIONS: Final = {
@@ -23,21 +25,6 @@ SECTIONS: Final = {
     "printer.motion": "Motion",
     "printer.homing": "Homing",
     "printer.gcode": "G-code",
-}
-#: Ends of names that are units, and how these are written; longer ones first.
-_UNITS: Final = {
-    "_mm3_s": "mm³/s",
-    "_mm_s2": "mm/s²",
-    "_mm_s": "mm/s",
-    "_mm2": "mm²",
-    "_mm": "mm",
-    "_g_cm3": "g/cm³",
-    "_per_kg": "per kg",
-    "_j_kgk": "J/(kg·K)",
-    "_w_mk": "W/(m·K)",
-    "_deg": "°",
-    "_c": "°C",
-    "_s": "s",
 }
 #: What follows from other settings where a field is left to itself.
 _AUTOMATIC: Final = {
@@ -69,10 +56,12 @@ class Field(TypedDict):
 
 def fields() -> list[Field]:
     """Return every setting that one line of a form can hold, in order."""
-    schema = Settings.model_json_schema()
-    found = list(_fields(schema, schema["$defs"], ""))
     order = list(SECTIONS)
-    shown = [field for field in found if field["section"] in order]
+    shown = [
+        _field(key, section)
+        for key in describe()
+        if key.kind not in ("list", "table") and (section := _section(key.key)) is not None
+    ]
     return sorted(shown, key=lambda field: order.index(field["section"]))
 
 
@@ -102,66 +91,20 @@ def _flat(table: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Any]]:
             yield prefix + name, value
 
 
-def _fields(node: Mapping[str, Any], known: Mapping[str, Any], prefix: str) -> Iterator[Field]:
-    for name, given in node["properties"].items():
-        about, automatic = _resolved(given, known)
-        key = prefix + name
-        if "properties" in about:
-            yield from _fields(about, known, f"{key}.")
-        elif (kind := _kind(about)) is not None:
-            yield _field(key, about, given, kind, automatic)
+def _section(key: str) -> str | None:
+    return next((section for section in SECTIONS if key.startswith(f"{section}.")), None)
 
 
-def _resolved(given: Mapping[str, Any], known: Mapping[str, Any]) -> tuple[dict[str, Any], bool]:
-    """Return a property without references, and whether it may be None."""
-    about = dict(given)
-    while "$ref" in about:
-        about |= known[about.pop("$ref").rpartition("/")[2]]
-    if "anyOf" not in about:
-        return about, False
-    ways = about.pop("anyOf")
-    some = [way for way in ways if way.get("type") != "null"]
-    # A number may have words for special amounts beside it.
-    words = [way["const"] for way in some if "const" in way]
-    inner, _ = _resolved(next(way for way in some if "const" not in way), known)
-    return inner | about | {"words": words}, len(some) < len(ways)
-
-
-def _kind(about: Mapping[str, Any]) -> str | None:
-    """Return what holds a value; None for tables and lists, which need more than a line."""
-    if "enum" in about:
-        return "choice"
-    names = {"number": "number", "integer": "integer", "boolean": "switch", "string": "text"}
-    return names.get(about.get("type", ""))
-
-
-def _field(
-    key: str, about: Mapping[str, Any], given: Mapping[str, Any], kind: str, automatic: bool
-) -> Field:
-    name, unit = _named(key.rpartition(".")[2])
+def _field(key: keys.Key, section: str) -> Field:
     return {
-        "key": key,
-        "section": next((one for one in SECTIONS if key.startswith(f"{one}.")), ""),
-        "name": name,
-        "unit": unit or _unit_of(about.get("description", "")),
-        "kind": kind,
-        "low": about.get("minimum", about.get("exclusiveMinimum")),
-        "high": about.get("maximum", about.get("exclusiveMaximum")),
-        "choices": list(about.get("enum", about.get("words", []))),
-        "automatic": automatic,
-        "help": given.get("description", about.get("description", "")),
+        "key": key.key,
+        "section": section,
+        "name": keys.named(key.key)[0],
+        "unit": key.unit,
+        "kind": key.kind,
+        "low": key.low,
+        "high": key.high,
+        "choices": list(key.choices),
+        "automatic": key.automatic,
+        "help": key.help,
     }
-
-
-def _named(name: str) -> tuple[str, str]:
-    """Split a name into words and its unit."""
-    for end, unit in _UNITS.items():
-        if name.endswith(end):
-            return name.removesuffix(end).replace("_", " "), unit
-    return name.replace("_", " "), ""
-
-
-def _unit_of(help_text: str) -> str:
-    """Return the unit that a description begins with: Klipper's names do not hold theirs."""
-    found = re.match(r"(mm/s²|mm/s|mm)(?:;|$)", help_text)
-    return found[1] if found else ""

@@ -19,6 +19,7 @@ pub mod formats;
 pub mod gcode;
 pub mod geometry;
 pub mod head;
+pub mod lattice;
 pub mod memory;
 pub mod mesh;
 pub mod physics;

@@ -1,9 +1,10 @@
 //! Strands and moves, and what they are for: the one list of kinds, below every stage that names them.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// What a strand is for; the discriminants are the codes of every `kind` array.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[repr(u8)]
 pub enum Kind {
     /// A move without extrusion.
@@ -85,7 +86,7 @@ impl Kind {
 }
 
 /// One extruded stroke, in printing order within its wireframe.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Strand {
     /// Where it begins, mm.
     pub from: DVec3,

@@ -10,6 +10,7 @@ use wireprint_core::toolpath::{
 
 /// A 0.7 mm strand from 1.75 mm filament, nothing on the bed but the print.
 const PARAMS: PathParams = PathParams {
+    standing: 0.0,
     centre: DVec2::new(100.0, 80.0),
     plate: Plate::Rectangle(DVec2::new(100.0, 80.0)),
     strand: 0.7,

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use numpy::{PyArray1, PyArray3, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -16,6 +16,7 @@ use wireprint_core::gcode::retraction::Retraction;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
+use crate::kept::{self, Reduced};
 use crate::mesh::Mesh;
 use crate::params::Params;
 
@@ -59,6 +60,22 @@ pub struct Certificate {
 
 #[pymethods]
 impl Certificate {
+    /// For pickle and copy.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        kept::reduced(slf.as_any(), &slf.get().core, Vec::new())
+    }
+
+    /// What `__reduce__` gave away.
+    #[staticmethod]
+    fn _restored(state: &[u8]) -> PyResult<Self> {
+        Ok(Self { core: kept::restored(state)? })
+    }
+
+    /// The same verdict on what comes after a line: breaches of what stood before are left aside.
+    fn after(&self, line: u64) -> Self {
+        Self { core: self.core.after(line) }
+    }
+
     /// Whether no rule is broken.
     #[getter]
     fn ok(&self) -> bool {
@@ -142,8 +159,12 @@ impl Certificate {
 
     /// Line, command and reason of each: from the first on, the file is not judged.
     #[getter]
-    fn unjudged(&self) -> Vec<(u64, String, &'static str)> {
-        self.core.unjudged.iter().map(|one| (one.line, one.command.clone(), one.why)).collect()
+    fn unjudged(&self) -> Vec<(u64, String, String)> {
+        self.core
+            .unjudged
+            .iter()
+            .map(|one| (one.line, one.command.clone(), one.why.to_string()))
+            .collect()
     }
 
     /// Commands that move nothing, and how often each stands there.
@@ -218,7 +239,7 @@ impl Certificate {
         self.core.features.clone()
     }
 
-    /// Compares the strands with a mesh that stands about `centre_mm` on the bed.
+    /// Compares the strands with a mesh that stands with its x = y = z = 0 at `origin_mm`.
     ///
     /// Strands with a `;TYPE:` label in `aside` count for nothing, those with one in `inside` for
     /// coverage alone. Returns as `coverage` does, then the deviations, mean and greatest in mm,
@@ -228,14 +249,14 @@ impl Certificate {
         &self,
         py: Python<'_>,
         mesh: &Mesh,
-        centre_mm: [f64; 2],
+        origin_mm: [f64; 3],
         aside: HashSet<String>,
         inside: HashSet<String>,
         terms: Params<Terms>,
         deviation: bool,
     ) -> PyResult<FidelityRow> {
         let terms = checked(terms)?;
-        let shift = DVec2::from(centre_mm).extend(0.0);
+        let shift = DVec3::from(origin_mm);
         let is_in = |strand: usize, names: &HashSet<String>| {
             let feature = self.core.strand_features.get(strand).copied().unwrap_or(0);
             self.core.features.get(usize::from(feature)).is_some_and(|name| names.contains(name))
@@ -367,7 +388,7 @@ pub fn deviation(
     Ok((found.mean, found.max))
 }
 
-fn ends(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
+pub fn ends(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
     let shape = array.shape();
     if shape[1..] != [2, 3] {
         return Err(SettingError::new_err(format!(

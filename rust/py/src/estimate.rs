@@ -11,6 +11,7 @@ use wireprint_core::planner::{
 
 use crate::arrays;
 use crate::errors::{detached, to_py};
+use crate::kept::{self, Reduced};
 use crate::params::Params;
 
 /// The time that a file takes, and where it goes; immutable.
@@ -28,6 +29,17 @@ impl Estimate {
 
 #[pymethods]
 impl Estimate {
+    /// For pickle and copy.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        kept::reduced(slf.as_any(), &slf.get().core, Vec::new())
+    }
+
+    /// What `__reduce__` gave away.
+    #[staticmethod]
+    fn _restored(state: &[u8]) -> PyResult<Self> {
+        Ok(Self { core: kept::restored(state)? })
+    }
+
     /// Everything, s.
     #[getter]
     fn total_s(&self) -> f64 {

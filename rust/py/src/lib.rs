@@ -11,6 +11,8 @@ mod facets;
 mod forecast;
 mod gcode;
 mod head;
+mod kept;
+mod lattice;
 mod layered;
 mod mesh;
 mod nearest;
@@ -48,6 +50,8 @@ mod _core {
     use super::gcode::{format_moves, insert_progress};
     #[pymodule_export]
     use super::head::{stroke_run, tallest_slab};
+    #[pymodule_export]
+    use super::lattice::{lattice_toolpath, order_lattice};
     #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]

@@ -14,6 +14,7 @@ use wireprint_core::poses::Pose;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
+use crate::kept::{self, Reduced};
 
 /// Longest perimeter of a hole that is closed, as a share of the model's diagonal: what modelling
 /// slips leave is smaller, the rims of vases and pipes are larger.
@@ -63,10 +64,48 @@ fn placement(scale: f64, up: &str, rotate: [f64; 3], height: Option<f64>) -> PyR
 
 #[pymethods]
 impl Mesh {
+    /// For pickle and copy.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let own = slf.get();
+        kept::reduced(slf.as_any(), &(&own.core, own.report, &own.notes), Vec::new())
+    }
+
+    /// What `__reduce__` gave away.
+    #[staticmethod]
+    fn _restored(state: &[u8]) -> PyResult<Self> {
+        let (core, report, notes) = kept::restored(state)?;
+        Ok(Self { core, report, notes })
+    }
+
+    fn __repr__(&self) -> String {
+        let [x, y, z] = self.size_mm();
+        let (vertices, faces) = (self.core.vertices.len(), self.core.faces.len());
+        format!("<Mesh {x:.1} x {y:.1} x {z:.1} mm, {vertices} vertices, {faces} faces>")
+    }
+
+    /// The picture that a notebook shows.
+    fn _repr_png_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("wireprint.notebook")?.call_method1("picture", (slf,))
+    }
+
     /// Reads a model file of a format: the suffix that is usual for it.
     ///
-    /// `scale` is in mm per unit of the file, `rotate` in degrees; `hole_perimeter` and
-    /// `weld_distance` are shares of the model's diagonal.
+    /// Parameters
+    /// ----------
+    /// path
+    ///     The file.
+    /// suffix
+    ///     Its format.
+    /// scale
+    ///     mm per unit of the file.
+    /// up
+    ///     The axis that points up.
+    /// rotate
+    ///     Turn about x, then y, then z, degrees.
+    /// height_mm
+    ///     Height to which it is scaled in the end.
+    /// hole_perimeter, weld_distance
+    ///     Shares of the model's diagonal; see `wireprint.load_mesh`.
     #[staticmethod]
     #[pyo3(signature = (
         path, suffix, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None,
@@ -93,8 +132,20 @@ impl Mesh {
         Ok(Self::new((mesh, report), notes))
     }
 
-    /// A mesh from vertices (N, 3), float64, and faces (M, 3), an integer dtype of indices;
-    /// repaired and placed as a file is. `notes` are what is to be said of how they were read.
+    /// A mesh from vertices and faces, repaired and placed as a file is.
+    ///
+    /// `wireprint.as_mesh` takes arrays of any real and whole type.
+    ///
+    /// Parameters
+    /// ----------
+    /// vertices
+    ///     float64 of shape (N, 3).
+    /// faces
+    ///     int64, int32 or uint32 of shape (M, 3): vertex indices.
+    /// scale, up, rotate, height_mm, hole_perimeter, weld_distance
+    ///     See `wireprint.load_mesh`.
+    /// notes
+    ///     What is to be said of how they were read.
     #[staticmethod]
     #[pyo3(signature = (
         vertices, faces, *, scale=1.0, up="z", rotate=[0.0; 3], height_mm=None,
@@ -123,8 +174,15 @@ impl Mesh {
 
     /// A mesh from the vertices and faces of one that was repaired and placed before, unchanged.
     ///
-    /// Each of `paired` is a face, its edge (0–2) and the neighbour across it, where that is not
-    /// the one found anew.
+    /// Parameters
+    /// ----------
+    /// vertices, faces
+    ///     Those of the mesh.
+    /// paired
+    ///     A face, its edge (0–2) and the neighbour across it each, where that is not the one found
+    ///     anew.
+    /// notes
+    ///     See `from_arrays`.
     #[staticmethod]
     #[pyo3(signature = (vertices, faces, paired=Vec::new(), *, notes=Vec::new()))]
     fn restored(
@@ -192,18 +250,34 @@ impl Mesh {
         self.moved(py.detach(|| self.core.centred_in_circle()))
     }
 
-    /// The smallest turn about z after which the mesh, seen from above, fits into a rectangle of
-    /// these sides, mm; degrees, None where there is none.
+    /// The smallest turn about z after which the mesh, seen from above, fits into a rectangle, degrees.
+    ///
+    /// None where there is none.
+    ///
+    /// Parameters
+    /// ----------
+    /// width_mm, depth_mm
+    ///     The rectangle's sides.
     fn turn_into(&self, py: Python<'_>, width_mm: f64, depth_mm: f64) -> Option<f64> {
         py.detach(|| self.core.turn_into(DVec2::new(width_mm, depth_mm))).map(f64::to_degrees)
     }
 
-    /// The factor by which the mesh may be scaled at most to fit there, however it is turned.
+    /// The factor by which the mesh may be scaled at most to fit into a rectangle, however it is turned.
+    ///
+    /// Parameters
+    /// ----------
+    /// width_mm, depth_mm
+    ///     The rectangle's sides.
     fn scale_into(&self, py: Python<'_>, width_mm: f64, depth_mm: f64) -> f64 {
         py.detach(|| self.core.scale_into(DVec2::new(width_mm, depth_mm)))
     }
 
-    /// The mesh scaled to a height, mm, and set down again, centred.
+    /// The mesh scaled to a height and set down again, centred.
+    ///
+    /// Parameters
+    /// ----------
+    /// height_mm
+    ///     The height.
     fn scaled_to(&self, py: Python<'_>, height_mm: f64) -> PyResult<Self> {
         let placement = placement(1.0, "z", [0.0; 3], Some(height_mm))?;
         Ok(self.moved(detached(py, || self.core.clone().placed(&placement))?))
@@ -217,7 +291,12 @@ impl Mesh {
         found.iter().map(|pose| (degrees(pose), pose.rests, pose.hanging)).collect()
     }
 
-    /// The mesh turned about x, then y, then z (degrees) and set down again, centred.
+    /// The mesh turned and set down again, centred.
+    ///
+    /// Parameters
+    /// ----------
+    /// rotate
+    ///     Turn about x, then y, then z, degrees.
     fn turned(&self, py: Python<'_>, rotate: [f64; 3]) -> PyResult<Self> {
         let placement = placement(1.0, "z", rotate, None)?;
         Ok(self.moved(detached(py, || self.core.clone().placed(&placement))?))

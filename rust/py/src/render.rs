@@ -14,6 +14,7 @@ use wireprint_core::render::{self, Camera, Frame, Image, Rgb, Width};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached, to_py};
+use crate::kept::{self, Reduced};
 use crate::mesh::Mesh;
 use crate::toolpath::Toolpath;
 
@@ -27,6 +28,17 @@ pub struct Strands {
 
 #[pymethods]
 impl Strands {
+    /// For pickle and copy.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        kept::reduced(slf.as_any(), slf.get().core.as_ref(), Vec::new())
+    }
+
+    /// What `__reduce__` gave away.
+    #[staticmethod]
+    fn _restored(state: &[u8]) -> PyResult<Self> {
+        Ok(kept::restored::<render::Strands>(state)?.into())
+    }
+
     /// Replays G-code held in memory.
     #[staticmethod]
     fn from_gcode(py: Python<'_>, text: &[u8]) -> PyResult<Self> {

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use wireprint_core::strand::{KINDS, Kind};
@@ -11,6 +12,7 @@ use wireprint_core::toolpath::PathParams;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
+use crate::kept::{self, Reduced};
 use crate::mesh::Mesh;
 use crate::params::Params;
 use crate::wireframe::Wireframe;
@@ -23,6 +25,11 @@ pub struct Toolpath {
 }
 
 impl Toolpath {
+    /// Moves that were made from no mesh.
+    pub fn without_mesh(core: core::Toolpath) -> Self {
+        Self { core, mesh: None }
+    }
+
     /// The core's toolpath.
     pub fn core(&self) -> &core::Toolpath {
         &self.core
@@ -45,6 +52,23 @@ pub fn toolpath(
 
 #[pymethods]
 impl Toolpath {
+    /// For pickle and copy.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let py = slf.py();
+        kept::reduced(slf.as_any(), &slf.get().core, vec![slf.get().mesh(py).into_py_any(py)?])
+    }
+
+    /// What `__reduce__` gave away.
+    #[staticmethod]
+    fn _restored(state: &[u8], mesh: Option<Py<Mesh>>) -> PyResult<Self> {
+        Ok(Self { core: kept::restored(state)?, mesh })
+    }
+
+    fn __repr__(&self) -> String {
+        let metres = self.core.figures().strand / 1000.0;
+        format!("<Toolpath {} moves, {metres:.1} m of strands>", self.core.to.len())
+    }
+
     /// Sums: `strand_mm`, `travel_mm`, `pauses`, `pause_s`, `filament_mm`.
     fn figures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let sums = self.core.figures();
@@ -58,6 +82,13 @@ impl Toolpath {
     }
 
     /// A toolpath from its arrays, one entry a move.
+    ///
+    /// Parameters
+    /// ----------
+    /// start
+    ///     Where the head stands before the first move, mm.
+    /// to, kind, speed, filament, pause, air, slab
+    ///     As the properties of these names give them.
     #[staticmethod]
     #[pyo3(signature = (*, start, to, kind, speed, filament, pause, air, slab))]
     #[expect(clippy::too_many_arguments, reason = "one for each array, by keyword only")]
@@ -101,6 +132,20 @@ impl Toolpath {
             slab: slab.as_array().to_vec(),
         };
         Ok(Self { core, mesh: None })
+    }
+
+    /// The same moves elsewhere.
+    ///
+    /// Parameters
+    /// ----------
+    /// by_mm
+    ///     By how much along x, y and z.
+    fn moved(&self, py: Python<'_>, by_mm: [f64; 3]) -> Self {
+        let by = DVec3::from(by_mm);
+        let mut core = self.core.clone();
+        core.start += by;
+        core.to.iter_mut().for_each(|to| *to += by);
+        Self { core, mesh: self.mesh(py) }
     }
 
     fn __len__(&self) -> usize {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use numpy::{PyArray1, PyArray2, PyArray3};
+use numpy::{PyArray1, PyArray2, PyArray3, PyReadonlyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wireprint_core::head::Head;
@@ -14,8 +14,9 @@ use wireprint_core::wireframe::frame::Reason;
 use wireprint_core::wireframe::params::WireParams;
 
 use crate::arrays;
-use crate::check::require_positive;
+use crate::check::{ends, require_positive};
 use crate::errors::{SettingError, detached, in_pool};
+use crate::kept::{self, Reduced};
 use crate::layered::{LayeredArgs, layers};
 use crate::mesh::Mesh;
 use crate::params::Params;
@@ -43,26 +44,29 @@ impl Wireframe {
     }
 }
 
-/// Slices a mesh and lays its strands, those of layers among them.
+/// Slices a mesh and lays its strands, those of layers among them, clear of those that stand
+/// already: (N, 2, 3) float64, mm.
 #[pyfunction]
-#[pyo3(signature = (mesh, head, params, layered=None))]
+#[pyo3(signature = (mesh, head, params, layered=None, standing=None))]
 pub fn wireframe(
     py: Python<'_>,
     mesh: &Bound<'_, Mesh>,
     head: Params<Head>,
     params: &Bound<'_, PyDict>,
     layered: Option<LayeredArgs>,
+    standing: Option<PyReadonlyArray3<'_, f64>>,
 ) -> PyResult<Wireframe> {
     let head = head.0;
     let (Params(heights), Params(wire)) =
         (params.extract::<Params<HeightParams>>()?, params.extract::<Params<WireParams>>()?);
     let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
     let model = mesh.get().core();
+    let standing = standing.as_ref().map(ends).transpose()?.unwrap_or_default();
     let build = || {
         let sliced = core::plan::sliced::slice_model(model, &head, &heights)?;
         layered.fits(&sliced)?;
         sliced.claim_strands(&Strokes::new(&head, wire.strand))?;
-        Ok(core::build::build(sliced, &layered, &head, &wire))
+        Ok(core::build::build_beside(sliced, &layered, &standing, &head, &wire))
     };
     let core = detached(py, || in_pool(build))?;
     Ok(Wireframe { core: Arc::new(core), mesh: mesh.clone().unbind() })
@@ -81,6 +85,23 @@ fn reason(reason: Reason) -> &'static str {
 
 #[pymethods]
 impl Wireframe {
+    /// For pickle and copy.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let mesh = slf.get().mesh.clone_ref(slf.py()).into_any();
+        kept::reduced(slf.as_any(), slf.get().core.as_ref(), vec![mesh])
+    }
+
+    /// What `__reduce__` gave away.
+    #[staticmethod]
+    fn _restored(state: &[u8], mesh: Py<Mesh>) -> PyResult<Self> {
+        Ok(Self { core: Arc::new(kept::restored(state)?), mesh })
+    }
+
+    fn __repr__(&self) -> String {
+        let (slices, posts) = (self.slice_count(), self.post_count());
+        format!("<Wireframe {slices} slices, {posts} posts, {} strands>", self.strand_count())
+    }
+
     /// Number of slices.
     #[getter]
     fn slice_count(&self) -> usize {
@@ -165,9 +186,24 @@ impl Wireframe {
         self.core.length_of(Kind::Support)
     }
 
-    /// Divides every slab into layers about `thickness_mm` high, the last at the slab's top, and
-    /// cuts the mesh, which must be the one sliced, at each.
+    /// Divides every slab into layers, the last at the slab's top, and cuts the mesh at each.
     ///
+    /// Parameters
+    /// ----------
+    /// mesh
+    ///     The one that was sliced.
+    /// thickness_mm
+    ///     About how high a layer is.
+    /// strand_mm
+    ///     Diameter of a strand.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     See below.
+    ///
+    /// Notes
+    /// -----
     /// A dict of arrays: `slab` (K,), `z` (K,) mm, `thickness` (K,) mm of each layer; the
     /// contours' as in `contours_below`; `face` (N,) of the mesh that carries the segment from
     /// each point on; `strip` (M,) of the slab that each contour lies on, -1 for none.
@@ -189,13 +225,33 @@ impl Wireframe {
         layers(py, cut)
     }
 
-    /// The same print without strands of these numbers, ascending.
+    /// The same print without some of its strands.
     ///
-    /// # Errors
-    /// `SettingError` for a diameter that is not positive.
+    /// Parameters
+    /// ----------
+    /// dropped
+    ///     Their numbers, ascending.
+    /// strand_mm
+    ///     Diameter of a strand.
+    ///
+    /// Raises
+    /// ------
+    /// SettingError
+    ///     The diameter is not positive.
     fn without(&self, py: Python<'_>, dropped: Vec<usize>, strand_mm: f64) -> PyResult<Self> {
         require_positive("strand_mm", strand_mm)?;
         let core = detached(py, || Ok(self.core.without(&dropped, strand_mm)))?;
+        Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py) })
+    }
+
+    /// What is left to print where some of the strands stand already.
+    ///
+    /// Parameters
+    /// ----------
+    /// standing
+    ///     Their numbers, ascending.
+    fn beyond(&self, py: Python<'_>, standing: Vec<usize>) -> PyResult<Self> {
+        let core = detached(py, || Ok(self.core.beyond(&standing)))?;
         Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py) })
     }
 

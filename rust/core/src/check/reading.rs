@@ -234,7 +234,7 @@ impl Notes {
     fn doubt(&mut self, line: u64, command: &str, why: &'static str) {
         if self.unjudged.len() < MOST_UNJUDGED {
             let command = command.trim().chars().take(SHOWN).collect();
-            self.unjudged.push(Unjudged { line, command, why });
+            self.unjudged.push(Unjudged { line, command, why: why.into() });
         }
     }
 }

@@ -1,11 +1,13 @@
 //! What a certificate says: every breach of the rules, with the line that commands it.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// What the head ran into.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Obstacle {
     /// The bed.
     Bed,
@@ -17,7 +19,7 @@ pub enum Obstacle {
 }
 
 /// A move that drives the head into material or bed: its deepest place.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Collision {
     /// Line that commands the move.
     pub line: u64,
@@ -32,7 +34,7 @@ pub struct Collision {
 }
 
 /// A chain that starts or ends at a point without contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LooseEnd {
     /// Line of the strand that starts or ends here.
     pub line: u64,
@@ -41,7 +43,7 @@ pub struct LooseEnd {
 }
 
 /// A stretch of a chain that hangs farther than its limit.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Span {
     /// Line of the strand at whose end the stretch ends.
     pub line: u64,
@@ -56,7 +58,7 @@ pub struct Span {
 }
 
 /// What is out of bounds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Bound {
     /// The tip leaves the build volume; in mm outside it.
     Volume,
@@ -69,7 +71,7 @@ pub enum Bound {
 }
 
 /// A move that asks more than the machine has.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct OutOfBounds {
     /// Line that commands the move.
     pub line: u64,
@@ -84,7 +86,7 @@ pub struct OutOfBounds {
 }
 
 /// A run of strands that gets too little filament.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Underfed {
     /// Line of its first strand.
     pub line: u64,
@@ -99,7 +101,7 @@ pub struct Underfed {
 }
 
 /// The end of a stroke in the air that the head leaves before it holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Hurried {
     /// Line of the stroke.
     pub line: u64,
@@ -110,7 +112,7 @@ pub struct Hurried {
 }
 
 /// Filament fed through a nozzle that is too cold.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Cold {
     /// Line of the first strand of a run.
     pub line: u64,
@@ -121,7 +123,7 @@ pub struct Cold {
 }
 
 /// A move along an axis that was not homed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Unhomed {
     /// Line of the first move of a run.
     pub line: u64,
@@ -132,18 +134,18 @@ pub struct Unhomed {
 }
 
 /// A command from which on the file cannot be judged.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Unjudged {
     /// Its line.
     pub line: u64,
     /// The command.
     pub command: String,
     /// Why.
-    pub why: &'static str,
+    pub why: Cow<'static, str>,
 }
 
 /// The verdict on a file: every breach, in the order of its lines.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Certificate {
     /// Breaches of rule 1, one for each move that collides.
     pub collisions: Vec<Collision>,
@@ -193,7 +195,7 @@ pub struct Certificate {
 }
 
 /// A straight piece of what a chain relaxes to.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Relaxed {
     /// Its ends, mm.
     pub ends: [DVec3; 2],
@@ -206,6 +208,23 @@ impl Certificate {
     #[must_use]
     pub fn ok(&self) -> bool {
         self.unjudged.is_empty() && self.breaches() == 0
+    }
+
+    /// The same verdict without breaches up to a line: of what is taken as it stands.
+    #[must_use]
+    pub fn after(&self, line: u64) -> Self {
+        let mut left = self.clone();
+        left.collisions.retain(|one| one.line > line);
+        left.floating_starts.retain(|one| one.line > line);
+        left.dangling_ends.retain(|one| one.line > line);
+        left.spans_over.retain(|one| one.line > line);
+        left.out_of_bounds.retain(|one| one.line > line);
+        left.underfed.retain(|one| one.line > line);
+        left.hurried.retain(|one| one.line > line);
+        left.cold.retain(|one| one.line > line);
+        left.unhomed.retain(|one| one.line > line);
+        left.unjudged.retain(|one| one.line > line);
+        left
     }
 
     /// Number of breaches.

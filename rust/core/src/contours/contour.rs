@@ -1,9 +1,10 @@
 //! What a slice's loops become.
 
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
 /// One contour of a slice.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Contour {
     /// Points, mm, the first not repeated: counter-clockwise outside, clockwise around a hole.
     pub points: Vec<DVec2>,

@@ -2,9 +2,10 @@
 
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// A triangle mesh with its edge adjacency.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Mesh {
     /// Vertex positions, mm.
     pub vertices: Vec<DVec3>,

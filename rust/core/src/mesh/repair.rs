@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::components::{Bodies, Body};
 use super::indexed::Mesh;
@@ -35,7 +36,7 @@ impl Limits {
 }
 
 /// What was found and repaired.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RepairReport {
     /// Facets in the file.
     pub facets: usize,

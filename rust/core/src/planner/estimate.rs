@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::klipper::Klipper;
 use super::limits::{Firmware, Limits};
@@ -43,7 +44,7 @@ pub struct Options {
 }
 
 /// The time that a file takes, and where it goes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Time in motion, s.
     pub moving_s: f64,

@@ -1,5 +1,7 @@
 //! Where the time goes: by feature, by layer, by move.
 
+use serde::{Deserialize, Serialize};
+
 use super::queue::{Sink, Tag};
 
 /// Classes of time that geometry alone tells; labelled strands come after them.
@@ -15,7 +17,7 @@ const FIXED: [&str; FIRST_FEATURE as usize] = ["travel", "retract", "dwell"];
 const UNLABELLED: &str = "other";
 
 /// A layer's height and time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Layer {
     /// Height, mm, as its comment states it, else the end of its first strand; `None` where
     /// nothing is extruded.
@@ -25,7 +27,7 @@ pub struct Layer {
 }
 
 /// One row for each move and each dwell, in the file's order.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Moves {
     /// Line of the file, from 1.
     pub line: Vec<u64>,

@@ -1,6 +1,7 @@
 //! What is laid, as a picture needs it: strands with their labels and diameters, and travels.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::scene::{Rgb, Scene, Stroke, Width};
 use crate::error::{CoreError, Result};
@@ -29,7 +30,7 @@ const ARC_SAGITTA: f64 = 0.01;
 const TRAVEL_PX: f64 = 1.0;
 
 /// Strands in printing order, as parallel arrays, and travels.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Strands {
     /// Start and end of each strand, mm.
     pub segments: Vec<[DVec3; 2]>,

@@ -1,7 +1,9 @@
 //! A level: the slices that are printed at one height.
 
+use serde::{Deserialize, Serialize};
+
 /// A height at which contours are printed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Level {
     /// Printed height, mm.
     pub z: f64,

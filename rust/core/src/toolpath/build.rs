@@ -74,7 +74,7 @@ impl<'a> Builder<'a> {
         Self {
             p,
             path: Toolpath::default(),
-            top: p.first_layer,
+            top: p.first_layer.max(p.standing),
             pressure: Pressure::default(),
             ends: HashSet::new(),
         }

@@ -8,6 +8,7 @@ mod pressure;
 mod tuning;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 pub use build::toolpath;
 pub use params::{Advance, Cooling, PathParams, Plate, Strategy};
@@ -15,7 +16,7 @@ pub use params::{Advance, Cooling, PathParams, Plate, Strategy};
 use crate::strand::{Kind, Strand};
 
 /// A toolpath as parallel arrays, one entry a move; each move begins where the last one ended.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Toolpath {
     /// Where the head stands before the first move, mm.
     pub start: DVec3,

@@ -132,6 +132,9 @@ pub struct PathParams {
     /// Filament fed before the first strand, to fill the nozzle.
     #[serde(rename = "prime_mm")]
     pub prime: f64,
+    /// Height of what stands before the print begins; 0 where nothing does.
+    #[serde(rename = "standing_mm")]
+    pub standing: f64,
     /// Height of a travel above all that is printed.
     #[serde(rename = "travel_lift_mm")]
     pub travel_lift: f64,

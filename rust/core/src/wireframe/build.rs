@@ -1,5 +1,7 @@
 //! From slices to strands, bottom up: one or more passes over all slabs, of which the best is kept.
 
+use glam::DVec3;
+
 use crate::head::Head;
 use crate::wireframe::frame::Wireframe;
 use crate::wireframe::lay::bed::on_bed;
@@ -30,6 +32,8 @@ const VAIN: usize = 2;
 #[derive(Clone, Copy)]
 struct Plan<'a> {
     layered: &'a Layered,
+    /// Strands that stand before the print begins.
+    standing: &'a [[DVec3; 2]],
     head: &'a Head,
     p: &'a WireParams,
     /// Whether slabs are tried in several orders.
@@ -58,8 +62,20 @@ impl Laid {
 /// is kept. With layers, the same is done without them first, and the wire goes by that.
 #[must_use]
 pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
+    build_beside(sliced, layered, &[], head, p)
+}
+
+/// Does the same where strands stand already, mm: the head keeps clear of them.
+#[must_use]
+pub fn build_beside(
+    sliced: Sliced,
+    layered: &Layered,
+    standing: &[[DVec3; 2]],
+    head: &Head,
+    p: &WireParams,
+) -> Wireframe {
     let none = Layered::default();
-    let plan = Plan { layered: &none, head, p, searching: false };
+    let plan = Plan { layered: &none, standing, head, p, searching: false };
     let nothing = Guide::default();
     let free = [&nothing; 2];
     let mut found = settled(&sliced, &plan, free);
@@ -120,13 +136,14 @@ fn settled(sliced: &Sliced, plan: &Plan, guides: [&Guide; 2]) -> Settled {
 
 /// One pass over all slabs, bottom up; `columns` tells whether what wants some is left to the next.
 fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide, columns: bool) -> Laid {
-    let &Plan { layered, head, p, searching } = plan;
+    let &Plan { layered, standing, head, p, searching } = plan;
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(p.strand, f64::max);
     let tops = Tops::new(sliced, layered, head);
     let cx = Context { sliced, layered, p, head, tops: &tops, columns, guide };
     let cell = head.clearance(tallest);
-    let mut journal = Journal::new(Obstacles::new(head, p.strand, cell, low, high));
+    let mut journal =
+        Journal::new(Obstacles::new(head, p.strand, cell, low, high).beside(standing));
     let mut wanting = 0;
     rayon::scope(|scope| {
         scope.spawn(|_| tops.gather());

@@ -1,13 +1,14 @@
 //! The wire print as geometry: what the stage hands on.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::strand::{Kind, Strand};
 use crate::wireframe::place::posts::Post;
 use crate::wireframe::plan::sliced::Sliced;
 
 /// A post with its slab and the contour (of the slice at the slab's top) that it carries.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlacedPost {
     /// The post.
     pub post: Post,
@@ -18,7 +19,7 @@ pub struct PlacedPost {
 }
 
 /// Why a part of the surface is not printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Reason {
     /// It begins in the air with nothing below.
     MidAir,
@@ -33,7 +34,7 @@ pub enum Reason {
 }
 
 /// A part of the surface that is not printed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Unprinted {
     /// Lower end, mm.
     pub low: f64,
@@ -48,7 +49,7 @@ pub struct Unprinted {
 }
 
 /// The wire print as geometry: strands in printing order and what they were made from.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Wireframe {
     /// Slices, contours and strips.
     pub sliced: Sliced,
@@ -65,6 +66,18 @@ impl Wireframe {
     /// go with theirs, and what would have been seen of the others is named.
     #[must_use]
     pub fn without(&self, dropped: &[usize], strand: f64) -> Self {
+        let mut left = self.beyond(dropped);
+        let gone: Vec<&Strand> = dropped.iter().filter_map(|&n| self.strands.get(n)).collect();
+        let runs = gone.chunk_by(|one, next| one.to == next.from);
+        left.unprinted.extend(runs.filter_map(|run| left_out(run, strand)));
+        left.unprinted.sort_by(|a, b| a.low.total_cmp(&b.low));
+        left
+    }
+
+    /// What is left to print where strands of these numbers, ascending, stand already; posts go with
+    /// theirs.
+    #[must_use]
+    pub fn beyond(&self, dropped: &[usize]) -> Self {
         let is_dropped = |number: &usize| dropped.binary_search(number).is_ok();
         let mut strands = Vec::with_capacity(self.strands.len());
         for (number, &kept) in self.strands.iter().enumerate().filter(|(n, _)| !is_dropped(n)) {
@@ -79,10 +92,7 @@ impl Wireframe {
                 .any(|s| s.kind == Kind::Post && s.to == p.post.peak && s.from == p.post.base)
         };
         let posts = self.posts.iter().filter(stands).copied().collect();
-        let runs = gone.chunk_by(|one, next| one.to == next.from);
-        let mut unprinted = self.unprinted.clone();
-        unprinted.extend(runs.filter_map(|run| left_out(run, strand)));
-        unprinted.sort_by(|a, b| a.low.total_cmp(&b.low));
+        let unprinted = self.unprinted.clone();
         Self { sliced: self.sliced.clone(), posts, strands, unprinted }
     }
 

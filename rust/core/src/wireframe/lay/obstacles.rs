@@ -1,4 +1,5 @@
-//! What the head must keep clear of: this slab's strands, and the layers that are to come.
+//! What the head must keep clear of: this slab's strands, what stood before the print, and the layers
+//! that are to come.
 
 use glam::DVec2;
 use glam::DVec3;
@@ -15,6 +16,7 @@ pub struct Obstacles<'a> {
     strand: f64,
     material: Material,
     ahead: Ahead,
+    standing: &'a [[DVec3; 2]],
     bounds: (DVec2, DVec2),
 }
 
@@ -24,12 +26,21 @@ impl<'a> Obstacles<'a> {
     #[must_use]
     pub fn new(head: &'a Head, strand: f64, cell: f64, low: DVec2, high: DVec2) -> Self {
         let material = Material::new(low, high, cell);
-        Self { head, strand, material, ahead: Ahead::default(), bounds: (low, high) }
+        Self { head, strand, material, ahead: Ahead::default(), standing: &[], bounds: (low, high) }
+    }
+
+    /// The same where strands stand already, mm: they may be higher than any slab.
+    #[must_use]
+    pub fn beside(self, standing: &'a [[DVec3; 2]]) -> Self {
+        Self { standing, ..self }
     }
 
     /// Forgets the last slab's strands; the head will come along `lines` later.
     pub fn begin_slab(&mut self, lines: &[Line]) {
         self.material.clear();
+        for [from, to] in self.standing {
+            self.material.add(*from, *to);
+        }
         self.ahead = match lines {
             [] => Ahead::default(),
             lines => Ahead::new(lines, self.bounds.0, self.bounds.1),

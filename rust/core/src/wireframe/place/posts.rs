@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::geometry::curve::{Curve, Station, simplify};
 use crate::head::Head;
@@ -16,7 +17,7 @@ use crate::wireframe::place::rim::{Footing, Rim};
 use crate::wireframe::place::tuning::{ALIGN, CLOSE, EVEN, LONE};
 
 /// One upward stroke.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Post {
     /// Foothold on a printed rim, mm.
     pub base: DVec3,

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::contours::{Contour, sliced};
 use crate::error::{CoreError, Result};
@@ -16,7 +17,7 @@ use crate::wireframe::plan::sheets::is_lost_between;
 use crate::wireframe::plan::strips::{Slab, Strip, all_ledges, all_strips};
 
 /// A model cut into slabs.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Sliced {
     /// Printed heights, bottom up.
     pub levels: Vec<Level>,
@@ -38,7 +39,7 @@ pub struct Sliced {
 }
 
 /// A slice within a level.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Sheet {
     /// Its contours.
     pub contours: Vec<Contour>,
@@ -47,7 +48,7 @@ pub struct Sheet {
 }
 
 /// A column that stands.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// Its middle, mm.
     pub place: DVec2,

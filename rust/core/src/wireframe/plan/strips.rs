@@ -7,13 +7,14 @@ use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::contours::Contour;
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// A connected piece of the surface between two heights.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Strip {
     /// Contours of the slice below that it touches, ascending.
     pub lower: Vec<u32>,

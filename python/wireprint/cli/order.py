@@ -1,0 +1,104 @@
+"""``wireprint order``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+
+from wireprint import files
+from wireprint.cli.options import chosen_from, settings_options
+from wireprint.cli.paths import InputFile, OutputName
+from wireprint.cli.say import say, say_json
+from wireprint.streams import STREAM
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+#: Suffixes of strut graphs that are written beside G-code.
+_GRAPHS: Final = (".obj", ".ply", ".glb", ".json", ".3mf")
+_FRAMES: Final = (".csv", ".json")
+
+
+@click.command()
+@click.argument("graph", type=InputFile())
+@click.option(
+    "-o", "--output", required=True, type=OutputName(), help="G-code file to write, - for stdout."
+)
+@click.option(
+    "--graph",
+    "graph_out",
+    type=OutputName(),
+    help="Strut graph in the order of printing, too: .json (COMPAS), .ply, .obj, .glb or .3mf.",
+)
+@click.option(
+    "--frames",
+    "frames_out",
+    type=OutputName(),
+    help="Frames for robots, too: position, tool axis, speed, extruder; .csv or .json.",
+)
+@click.option("--scale", type=click.FloatRange(min=0, min_open=True), default=1.0, help="Factor.")
+@settings_options
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
+def order(
+    graph: Path,
+    output: str,
+    graph_out: str | None,
+    frames_out: str | None,
+    scale: float,
+    as_json: bool,
+    **options: Any,
+) -> None:
+    """Print a strut graph: find an order and directions that the head can follow.
+
+    GRAPH is made of struts: lines of OBJ, PLY or glTF, a graph of COMPAS (JSON), or the beam
+    lattice of a 3MF file. Parts that nothing leads to from the bed get an upright support, unless
+    --supports none is given; what cannot be printed is named, and nothing is written.
+    """
+    chosen = chosen_from(options)
+    inputs = [graph, *chosen.files]
+    target = files.output(output, f"{graph.stem}.gcode", files.GCODE_SUFFIXES, inputs)
+    others = []
+    for name, suffixes in ((graph_out, _GRAPHS), (frames_out, _FRAMES)):
+        default = f"{graph.stem}.ordered{suffixes[0]}"
+        others.append(None if name is None else files.output(name, default, suffixes, inputs))
+    from wireprint.gcode.document import dated
+    from wireprint.struts import order as ordered
+    from wireprint.struts import read_struts, struts_as
+    from wireprint.struts.frames import as_csv
+    from wireprint.struts.frames import as_json as frames_json
+    from wireprint.timing import clock
+
+    settings = chosen.settings()
+    with_supports = settings.wire.supports == "wire"
+    struts = read_struts(graph).moved((0.0, 0.0, 0.0), scale)
+    found = ordered(struts, settings, supports=with_supports, date=dated(graph))
+    target.write(found.gcode)
+    if others[0] is not None:
+        suffix = str(others[0]).rpartition(".")[2].lower()
+        others[0].write(struts_as(found.graph, suffix, settings.printer.head.nozzle_mm / 2))
+    if others[1] is not None:
+        as_bytes = as_csv if str(others[1]).lower().endswith(".csv") else frames_json
+        others[1].write(as_bytes(found.toolpath, settings))
+    to_stderr = output == STREAM
+    figures = {
+        "graph": str(graph),
+        "output": str(target),
+        "printer": settings.printer.name,
+        "struts": len(found.graph),
+        "supports": list(found.supports),
+        "floating": int(found.floating.sum()),
+        "print_time_s": found.print_time_s,
+        "certified": found.certificate.ok,
+    }
+    if as_json:
+        say_json(figures, err=to_stderr)
+        return
+    say(
+        f"{target}: {clock(found.print_time_s)} on {settings.printer.name}, "
+        f"{figures['struts']} struts, {figures['floating']} of them to a free end: certified",
+        err=to_stderr,
+    )
+    for number in found.supports:
+        x, y, z = found.graph.ends[number, 1]
+        say(f"  support     strut {number}, to ({x:.1f}, {y:.1f}, {z:.1f})", err=to_stderr)

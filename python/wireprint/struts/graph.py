@@ -1,0 +1,173 @@
+"""A strut graph: nodes, and straight struts between two of them each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from wireprint._core import ModelError
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Floats = npt.NDArray[np.float64]
+    Ints = npt.NDArray[np.int64]
+
+#: Nodes nearer than this are one, mm: files have six digits or so.
+SAME_MM: Final = 1e-3
+
+
+def _none() -> Floats:
+    return np.empty(0)
+
+
+@dataclass(frozen=True, eq=False)
+class Graph:
+    """Struts between nodes, and what is known of each; read-only arrays."""
+
+    #: Positions, mm, (N, 3).
+    nodes: Floats
+    #: Two node numbers each, (M, 2), from where it is printed to where.
+    edges: Ints
+    #: Radius of each strut, mm, (M,); empty: not told.
+    radius_mm: Floats = field(default_factory=_none)
+    #: When each is begun, s from the print's begin, (M,), in printing order; empty: not told.
+    time_s: Floats = field(default_factory=_none)
+    #: Where the tool points from, at each strut, unit vectors (M, 3); empty: not told.
+    normals: Floats = field(default_factory=lambda: np.empty((0, 3)))
+
+    def __post_init__(self) -> None:
+        """Take over arrays of any real and whole type, and refuse what is no graph."""
+        own = {
+            "nodes": _matrix("nodes", self.nodes, 3, np.float64),
+            "edges": _matrix("edges", self.edges, 2, np.int64),
+            "radius_mm": np.array(self.radius_mm, np.float64).reshape(-1),
+            "time_s": np.array(self.time_s, np.float64).reshape(-1),
+            "normals": np.array(self.normals, np.float64).reshape(-1, 3),
+        }
+        nodes, edges = own["nodes"], own["edges"]
+        if not np.isfinite(nodes).all():
+            number = int((~np.isfinite(nodes).all(axis=1)).argmax())
+            raise ModelError(f"node {number}: a coordinate must be finite")
+        wrong = ((edges < 0) | (edges >= len(nodes))).any(axis=1)
+        if wrong.any():
+            number = int(wrong.argmax())
+            msg = f"strut {number} is {edges[number].tolist()}: there are {len(nodes)} nodes"
+            raise ModelError(msg)
+        for name in ("radius_mm", "time_s", "normals"):
+            if len(own[name]) not in (0, len(edges)):
+                msg = f"{name} tells of {len(own[name])} struts; there are {len(edges)}"
+                raise ModelError(msg)
+            if not np.isfinite(own[name]).all():
+                raise ModelError(f"{name}: every number must be finite")
+        for name, values in own.items():
+            values.setflags(write=False)
+            object.__setattr__(self, name, values)
+
+    def __len__(self) -> int:
+        """Count the struts."""
+        return len(self.edges)
+
+    def __repr__(self) -> str:
+        """Say how large it is."""
+        size = np.ptp(self.nodes, axis=0) if len(self.nodes) else np.zeros(3)
+        x, y, z = size
+        return (
+            f"<Graph {len(self)} struts, {len(self.nodes)} nodes, {x:.1f} x {y:.1f} x {z:.1f} mm>"
+        )
+
+    @property
+    def ends(self) -> Floats:
+        """Both ends of each strut, mm, (M, 2, 3)."""
+        return np.asarray(self.nodes[self.edges], np.float64).reshape(-1, 2, 3)
+
+    @classmethod
+    def of_segments(cls, segments: npt.ArrayLike, **known: npt.ArrayLike) -> Graph:
+        """Weld segments at their ends; those without length are left out.
+
+        Parameters
+        ----------
+        segments
+            Both ends of each, mm, (M, 2, 3).
+        **known
+            What is known of each: ``radius_mm``, ``time_s``, ``normals``.
+
+        Returns
+        -------
+        Graph
+            Struts in the order of the segments.
+        """
+        ends = np.asarray(segments, np.float64).reshape(-1, 3)
+        edges, nodes = _welded(ends)
+        pairs = edges.reshape(-1, 2)
+        kept = pairs[:, 0] != pairs[:, 1]
+        rest = {name: np.asarray(value)[kept] for name, value in known.items() if np.size(value)}
+        return cls(nodes, pairs[kept], **rest)
+
+    def tidied(self) -> Graph:
+        """Return it with near nodes welded, and each strut once: the first that is named."""
+        welded = Graph.of_segments(
+            self.ends, radius_mm=self.radius_mm, time_s=self.time_s, normals=self.normals
+        )
+        _, first = np.unique(np.sort(welded.edges, axis=1), axis=0, return_index=True)
+        return welded.chosen(np.sort(first))
+
+    def chosen(self, numbers: npt.ArrayLike, reversed_: npt.ArrayLike | None = None) -> Graph:
+        """Return struts of these numbers in this order, some of them the other way round."""
+        which = np.asarray(numbers, np.int64)
+        edges = self.edges[which]
+        if reversed_ is not None:
+            turned = np.asarray(reversed_, np.bool_)
+            edges = np.where(turned[:, None], edges[:, ::-1], edges)
+        known = {
+            name: values[which] if len(values) else values
+            for name in ("radius_mm", "time_s", "normals")
+            for values in [getattr(self, name)]
+        }
+        return Graph(self.nodes, edges, **known)
+
+    def moved(self, by_mm: npt.ArrayLike, scale: float = 1.0) -> Graph:
+        """Return it scaled about the origin, then moved, mm."""
+        nodes = self.nodes * scale + np.asarray(by_mm, np.float64)
+        return Graph(nodes, self.edges, self.radius_mm * scale, self.time_s, self.normals)
+
+    def degrees(self) -> Ints:
+        """Count the struts at each node, (N,)."""
+        return np.bincount(self.edges.ravel(), minlength=len(self.nodes))
+
+
+def _matrix(name: str, given: npt.ArrayLike, columns: int, kind: type) -> npt.NDArray[np.float64]:
+    try:
+        found = np.asarray(given)
+    except ValueError:
+        raise ModelError(f"{name} are rows of different lengths") from None
+    if not found.size:
+        return np.empty((0, columns), kind)
+    if found.dtype.kind not in ("iu" if kind is np.int64 else "fiu"):
+        raise ModelError(f"{name} are of {found.dtype}; they must be {np.dtype(kind).name}")
+    if found.ndim != 2 or found.shape[1] != columns:
+        raise ModelError(f"{name} have shape {found.shape}; it must be (N, {columns})")
+    return np.array(found, kind)
+
+
+def _welded(points: Floats) -> tuple[Ints, Floats]:
+    """Return the number of the node of each point, and the nodes, in the order of the points."""
+    if not len(points):
+        return np.empty(0, np.int64), points
+    from shapely import STRtree
+    from shapely import points as as_points
+
+    if not np.isfinite(points).all():
+        raise ModelError("a coordinate must be finite")
+    # In plan by a tree, then by height; the first point of a cluster stands for it.
+    tree = STRtree(as_points(points[:, :2]))
+    found = tree.query(as_points(points[:, :2]), predicate="dwithin", distance=SAME_MM)
+    near = np.abs(points[found[0], 2] - points[found[1], 2]) <= SAME_MM
+    first = np.arange(len(points))
+    np.minimum.at(first, found[0][near], found[1][near])
+    while not np.array_equal(first, first[first]):
+        first = first[first]
+    kept, numbers = np.unique(first, return_inverse=True)
+    return numbers, points[kept]

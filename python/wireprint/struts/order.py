@@ -1,0 +1,263 @@
+"""An order and directions in which a strut graph can be printed, as a certified file."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from wireprint import _core
+from wireprint._core import UnprintableError
+from wireprint.certificate import check
+from wireprint.gcode import document
+from wireprint.stages import path_params
+from wireprint.struts.graph import Graph
+
+if TYPE_CHECKING:
+    from datetime import datetime
+
+    from wireprint._core import Toolpath
+    from wireprint.certificate import Certificate
+    from wireprint.settings import Settings
+
+#: Struts that are printed on trial at most, by their number; those taken back count again.
+_MOST_STEPS: Final = 20
+#: Struts that are named of those that cannot be printed; of more, their number.
+_NAMED: Final = 8
+#: Struts that are tested against each other; of more that would take minutes.
+MOST_STRUTS: Final = 20_000
+_WHY: Final = {
+    "floats": "nothing leads to it from the bed",
+    "too_long": "it is longer than what may hang (wire.span_limit_mm)",
+    "too_steep": "it can only be drawn downwards, more steeply than the head allows",
+    "barred": "the head would run into others, in whichever order was tried",
+}
+
+
+@dataclass(frozen=True)
+class OrderedGraph:
+    """A strut graph in the order of printing, and the file that prints it."""
+
+    #: Struts in order, each from where it is begun; with times.
+    graph: Graph
+    #: Which of them end in the air, (M,) bool.
+    floating: Any
+    #: Supports that were added: numbers in `graph`.
+    supports: tuple[int, ...]
+    toolpath: Toolpath
+    gcode: bytes
+    #: The verdict on the file.
+    certificate: Certificate
+    print_time_s: float
+    settings: Settings
+
+    def __repr__(self) -> str:
+        """Say what it comes to."""
+        verdict = "certified" if self.certificate.ok else "not certified"
+        return f"<OrderedGraph {len(self.graph)} struts, {self.print_time_s:.0f} s, {verdict}>"
+
+
+def order(
+    graph: Graph,
+    settings: Settings,
+    *,
+    supports: bool = True,
+    date: datetime | None = None,
+) -> OrderedGraph:
+    """Find an order and directions in which every strut can be printed, and print them so.
+
+    Parameters
+    ----------
+    graph
+        The struts; the lowest node is put on the bed, the middle of the box in its middle.
+    settings
+        Printer and material.
+    supports
+        Whether parts that nothing leads to get upright struts from the bed, where these are short
+        enough; else they are refused.
+    date
+        Written into the file.
+
+    Returns
+    -------
+    OrderedGraph
+        With the certificate of the file, which keeps every rule.
+
+    Raises
+    ------
+    UnprintableError
+        Some struts cannot be printed; they are named, each with why.
+
+    Notes
+    -----
+    Which strut bars which is decided beforehand by the exact test of the head; the search prints
+    low struts first, never one after which another could not be printed any more, and takes back
+    where none is left (after Huang et al., *FrameFab*, 2016, and *Choreo*, 2018).
+    """
+    if len(graph) > MOST_STRUTS:
+        raise UnprintableError(f"{len(graph)} struts; {MOST_STRUTS} are ordered at most")
+    placed = _placed(graph, settings)
+    added = _supports(placed, settings) if supports else []
+    if added:
+        placed = _with(placed, added)
+    found, left = _core.order_lattice(
+        placed.nodes,
+        placed.edges.tolist(),
+        settings.printer.head.model_dump(),
+        _rules(settings, len(placed)),
+    )
+    if left:
+        raise UnprintableError(_refusal(placed, left))
+    numbers, reversed_, floating = (np.array(column) for column in zip(*found, strict=True))
+    ordered = placed.chosen(numbers, reversed_)
+    loose = _loose(ordered, floating)
+    if loose:
+        raise UnprintableError(
+            f"{len(loose)} struts end in the air, and nothing meets them: {_told(ordered, loose)}; "
+            "join their ends, or leave them out"
+        )
+    params = path_params(settings) | {"skirt_rings": 0, "brim_rings": 0}
+    path = _core.lattice_toolpath(ordered.ends, floating.astype(np.bool_), params)
+    text, estimate = document.timed(document.commands(path, settings), settings)
+    footer = document.footer(settings, estimate.filament_mm, estimate.total_s, 1)
+    head = document.header(settings, date or document.dated(None))
+    gcode = head + text + footer
+    certificate = check(gcode, settings)
+    if not certificate.ok:
+        raise UnprintableError(f"the order that was found breaks the rules: {_first(certificate)}")
+    first = len(placed) - len(added)
+    timed = replace(ordered, time_s=_times(ordered, certificate, gcode, settings))
+    return OrderedGraph(
+        timed,
+        floating,
+        tuple(int(place) for place in np.flatnonzero(numbers >= first)),
+        path,
+        gcode,
+        certificate,
+        estimate.total_s,
+        settings,
+    )
+
+
+def _first(certificate: Certificate) -> str:
+    counts = {name: len(found) for name, found in certificate.breaches().items() if found}
+    first = next(found[0] for found in certificate.breaches().values() if found)
+    said = ", ".join(f"{name.replace('_', ' ')}: {count}" for name, count in counts.items())
+    return f"{said}; first in line {first.line}: {first}"
+
+
+def _placed(graph: Graph, settings: Settings) -> Graph:
+    """Put a graph into the middle of the bed, its lowest node where a strand lies on it."""
+    low, high = graph.nodes[graph.edges].min(axis=(0, 1)), graph.nodes[graph.edges].max(axis=(0, 1))
+    middle = (low + high) / 2
+    return graph.moved((-middle[0], -middle[1], settings.first_layer_height_mm - low[2]))
+
+
+def _bed_mm(settings: Settings) -> float:
+    """Height up to which a node lies on the bed, mm."""
+    return settings.first_layer_height_mm + 0.25 * settings.printer.head.nozzle_mm
+
+
+def _rules(settings: Settings, struts: int) -> dict[str, object]:
+    wire = settings.wire
+    return {
+        "strand_mm": settings.printer.head.nozzle_mm,
+        "bed_mm": _bed_mm(settings),
+        "span_limit_mm": wire.span_limit_mm,
+        "free_end_limit_mm": wire.free_end_limit_mm,
+        "most_steps": _MOST_STEPS * max(struts, 100),
+    }
+
+
+def _supports(graph: Graph, settings: Settings) -> list[int]:
+    """Return a node of each part that nothing leads to from the bed: its lowest one."""
+    part = _parts(graph)
+    bed_mm, limit_mm = _bed_mm(settings), settings.wire.free_end_limit_mm
+    used = np.unique(graph.edges)
+    heights = graph.nodes[:, 2]
+    standing = {int(part[node]) for node in used if heights[node] <= bed_mm}
+    lowest: dict[int, int] = {}
+    for node in used[np.argsort(heights[used], kind="stable")]:
+        if int(part[node]) not in standing:
+            lowest.setdefault(int(part[node]), int(node))
+    return [node for node in lowest.values() if heights[node] <= limit_mm]
+
+
+def _parts(graph: Graph) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
+    """Return the number of the connected part of each node."""
+    part = np.arange(len(graph.nodes))
+    while True:
+        low = np.minimum(part[graph.edges[:, 0]], part[graph.edges[:, 1]])
+        before = part.copy()
+        np.minimum.at(part, graph.edges[:, 0], low)
+        np.minimum.at(part, graph.edges[:, 1], low)
+        part = part[part]
+        if np.array_equal(part, before):
+            return part
+
+
+def _with(graph: Graph, nodes: list[int]) -> Graph:
+    """Return a graph with an upright strut from the bed to each of these nodes."""
+    feet = graph.nodes[nodes].copy()
+    feet[:, 2] = graph.nodes[:, 2].min()
+    places = len(graph.nodes) + np.arange(len(nodes))
+    radius = graph.radius_mm
+    if len(radius):
+        radius = np.concatenate([radius, np.full(len(nodes), np.median(radius))])
+    return Graph(
+        np.concatenate([graph.nodes, feet]),
+        np.concatenate([graph.edges, np.column_stack([places, nodes])]),
+        radius,
+    )
+
+
+def _loose(graph: Graph, floating: Any) -> list[int]:
+    """Return the struts whose free end nothing meets."""
+    degrees = graph.degrees()
+    return [
+        number
+        for number, floats in enumerate(floating)
+        if floats and degrees[graph.edges[number, 1]] == 1
+    ]
+
+
+def _refusal(graph: Graph, left: list[tuple[int, str]]) -> str:
+    counts = Counter(why for _, why in left)
+    lines = [f"{len(left)} of {len(graph)} struts cannot be printed"]
+    for why, count in counts.items():
+        numbers = [number for number, reason in left if reason == why]
+        lines.append(f"{count}: {_WHY[why]}: {_told(graph, numbers)}")
+    if counts["barred"]:
+        lines.append("a slimmer head reaches deeper: head.slant_deg, head.cone_height_mm")
+    return "\n".join(lines)
+
+
+def _told(graph: Graph, numbers: list[int]) -> str:
+    def one(number: int) -> str:
+        (a, b), (low, high) = graph.edges[number], graph.ends[number]
+        ends = " to ".join(f"({x:.1f}, {y:.1f}, {z:.1f})" for x, y, z in (low, high))
+        return f"{a}-{b} {ends}"
+
+    more = f", and {len(numbers) - _NAMED} more" if len(numbers) > _NAMED else ""
+    return ", ".join(one(number) for number in numbers[:_NAMED]) + more
+
+
+def _times(graph: Graph, certificate: Certificate, gcode: bytes, settings: Settings) -> Any:
+    """Return when each strut is begun, s from the first command on."""
+    rows = document.timing(gcode, settings, per_move=True).per_move
+    if rows is None:
+        return np.empty(0)
+    lines, durations = np.asarray(rows[0]), np.asarray(rows[1])
+    begun = np.concatenate([[0.0], np.cumsum(durations)])
+    places = certificate.core.strands - np.array([*settings.printer.bed.centre_mm, 0.0])
+    own = np.searchsorted(lines, certificate.core.strand_lines)
+    found = np.zeros(len(graph))
+    number = 0
+    # A strut may be written in two pieces: it is begun where its first end is met, in order.
+    for place, row in zip(places[:, 0], own, strict=True):
+        if number < len(graph) and np.abs(place - graph.ends[number, 0]).max() < 0.002:
+            found[number] = begun[row]
+            number += 1
+    return found

@@ -1,0 +1,97 @@
+use glam::dvec3;
+
+use super::*;
+
+fn head() -> Head {
+    Head::new(0.5, 60.0, 30.0, 20.0, 40.0, 60.0).unwrap()
+}
+
+fn rules() -> Rules {
+    Rules { strand: 0.7, bed: 0.4, span: 65.0, free_end: 20.0, most_steps: 100_000 }
+}
+
+fn lattice(nodes: &[[f64; 3]], edges: &[[u32; 2]]) -> Lattice {
+    Lattice::new(nodes.iter().map(|&n| n.into()).collect(), edges.to_vec()).unwrap()
+}
+
+/// A pyramid on the bed: four feet, four struts to the top.
+fn pyramid() -> Lattice {
+    let nodes = [[0., 0., 0.], [20., 0., 0.], [20., 20., 0.], [0., 20., 0.], [10., 10., 8.]];
+    lattice(&nodes, &[[0, 4], [1, 4], [2, 4], [3, 4], [0, 1], [1, 2], [2, 3], [3, 0]])
+}
+
+/// Every rule, asked of each pair anew.
+fn keeps_the_rules(lattice: &Lattice, found: &Ordered, head: &Head, rules: &Rules) {
+    let squash = Strokes::new(head, rules.strand).squash();
+    let mut held: Vec<bool> = lattice.nodes.iter().map(|node| node.z <= rules.bed).collect();
+    for (number, laid) in found.strokes.iter().enumerate() {
+        let [from, to] = lattice.ends(laid.stroke).map(|node| node as usize);
+        assert!(held[from], "{laid:?} begins in the air");
+        assert_eq!(laid.floating, !held[to]);
+        (held[from], held[to]) = (true, true);
+        let way = lattice.places(laid.stroke);
+        for before in &found.strokes[..number] {
+            let stands = lattice.places(before.stroke);
+            assert!(head.deeper_than(squash, way, stands).is_none(), "{laid:?} hits {before:?}");
+        }
+    }
+}
+
+#[test]
+fn feet_come_first_and_each_strut_goes_up() {
+    let (lattice, head, rules) = (pyramid(), head(), rules());
+    let found = order(&lattice, &head, &rules);
+    assert!(found.left.is_empty(), "{found:?}");
+    keeps_the_rules(&lattice, &found, &head, &rules);
+    let first: Vec<u32> = found.strokes[..4].iter().map(|laid| laid.stroke.edge).collect();
+    assert!(first.iter().all(|&edge| edge >= 4), "{first:?}");
+    assert!(found.strokes[4].floating);
+    assert!(found.strokes[5..].iter().all(|laid| !laid.floating));
+}
+
+#[test]
+fn what_nothing_leads_to_floats() {
+    let lattice =
+        lattice(&[[0., 0., 0.], [10., 0., 0.], [0., 0., 9.], [10., 0., 9.]], &[[0, 1], [2, 3]]);
+    let found = order(&lattice, &head(), &rules());
+    assert_eq!(found.strokes.len(), 1);
+    assert_eq!(found.left, [(1, Why::Floats)]);
+}
+
+#[test]
+fn what_hangs_too_far_is_too_long() {
+    let lattice = lattice(&[[0., 0., 0.], [0., 70., 10.]], &[[0, 1]]);
+    assert_eq!(order(&lattice, &head(), &rules()).left, [(0, Why::TooLong)]);
+}
+
+#[test]
+fn a_strut_under_a_roof_is_printed_before_it() {
+    // A low strut between the feet of a table: once the table's top is there, the head cannot get in.
+    let nodes =
+        [[0., 0., 0.], [12., 0., 0.], [0., 0., 10.], [12., 0., 10.], [6., -3., 0.], [6., 3., 4.]];
+    let lattice = lattice(&nodes, &[[2, 3], [0, 2], [1, 3], [4, 5]]);
+    let found = order(&lattice, &head(), &rules());
+    assert!(found.left.is_empty(), "{found:?}");
+    keeps_the_rules(&lattice, &found, &head(), &rules());
+    let place = |edge: u32| found.strokes.iter().position(|laid| laid.stroke.edge == edge);
+    assert!(place(3) < place(0));
+}
+
+#[test]
+fn the_same_lattice_gives_the_same_order_on_any_number_of_threads() {
+    let (lattice, head, rules) = (pyramid(), head(), rules());
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let alone = one.install(|| order(&lattice, &head, &rules));
+    assert_eq!(alone.strokes, order(&lattice, &head, &rules).strokes);
+}
+
+#[test]
+fn what_is_no_lattice_is_refused() {
+    let at =
+        |edges: &[[u32; 2]]| Lattice::new(vec![DVec3::ZERO, dvec3(0., 0., 1.)], edges.to_vec());
+    assert!(at(&[[0, 2]]).is_err());
+    assert!(at(&[[1, 1]]).is_err());
+    assert!(Lattice::new(vec![DVec3::NAN], Vec::new()).is_err());
+    let empty = at(&[]).unwrap();
+    assert!(empty.is_empty() && order(&empty, &head(), &rules()).strokes.is_empty());
+}

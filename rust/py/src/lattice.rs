@@ -1,0 +1,91 @@
+//! `wireprint._core.order_lattice` and `lattice_toolpath`.
+
+use glam::DVec3;
+use numpy::{PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use wireprint_core::head::Head;
+use wireprint_core::lattice::{self, Lattice, Rules, Why};
+use wireprint_core::strand::{Kind, Strand};
+use wireprint_core::toolpath as path;
+use wireprint_core::toolpath::PathParams;
+
+use crate::arrays;
+use crate::check::ends;
+use crate::errors::{SettingError, detached, in_pool};
+use crate::params::Params;
+use crate::toolpath::Toolpath;
+
+/// Strut, whether it is printed backwards and whether it ends in the air, in the order of printing;
+/// and the struts that are not printed, each with why.
+type OrderRow = (Vec<(u32, bool, bool)>, Vec<(u32, &'static str)>);
+
+/// An order in which the struts of a lattice can be printed: nodes (N, 3) float64, mm, z from the
+/// bed, and edges (M, 2) of node numbers.
+///
+/// # Errors
+/// `ModelError` for nodes and edges that are none.
+#[pyfunction]
+pub fn order_lattice(
+    py: Python<'_>,
+    nodes: &Bound<'_, PyAny>,
+    edges: Vec<[u32; 2]>,
+    head: Params<Head>,
+    rules: Params<Rules>,
+) -> PyResult<OrderRow> {
+    let nodes = arrays::read_points("nodes", nodes)?;
+    let (head, rules) = (head.0, rules.0);
+    let found = detached(py, || {
+        let lattice = Lattice::new(nodes, edges)?;
+        Ok(in_pool(|| lattice::order(&lattice, &head, &rules)))
+    })?;
+    let laid = |one: &lattice::Laid| (one.stroke.edge, one.stroke.reversed, one.floating);
+    let why = |why: Why| match why {
+        Why::Floats => "floats",
+        Why::TooLong => "too_long",
+        Why::TooSteep => "too_steep",
+        Why::Barred => "barred",
+    };
+    let left = found.left.iter().map(|&(edge, reason)| (edge, why(reason))).collect();
+    Ok((found.strokes.iter().map(laid).collect(), left))
+}
+
+/// The moves that print strands in their order, (N, 2, 3) float64, mm from the middle of the bed;
+/// those that end in the air are told.
+///
+/// # Errors
+/// `SettingError` for arrays of unlike lengths.
+#[pyfunction]
+pub fn lattice_toolpath(
+    py: Python<'_>,
+    strands: PyReadonlyArray3<'_, f64>,
+    floating: PyReadonlyArray1<'_, bool>,
+    params: Params<PathParams>,
+) -> PyResult<Toolpath> {
+    if strands.shape()[0] != floating.len() {
+        return Err(SettingError::new_err("floating must tell one bool for each strand"));
+    }
+    let (params, ends) = (params.0, ends(&strands)?);
+    let floats = floating.as_array().to_vec();
+    let core = detached(py, || {
+        let laid = ends.iter().zip(floats).map(|(&[from, to], floating)| Strand {
+            from,
+            to,
+            kind: kind_of(from, to, &params),
+            slab: 0,
+            floating,
+            flow: 1.0,
+            direct: false,
+        });
+        Ok(path::toolpath(&laid.collect::<Vec<_>>(), &params))
+    })?;
+    Ok(Toolpath::without_mesh(core))
+}
+
+/// What a strut is for, by how it lies: up, down, or level.
+fn kind_of(from: DVec3, to: DVec3, params: &PathParams) -> Kind {
+    match to.z - from.z {
+        rise if rise > 0.5 * params.strand => Kind::Post,
+        rise if rise < -0.5 * params.strand => Kind::Diagonal,
+        _ => Kind::Contour,
+    }
+}
