@@ -105,9 +105,11 @@ class Forecast:
 
     #: The settings that it was made with, and why with these.
     judge: Judge
+    #: What each rule comes to, by name.
     rules: dict[str, Rule]
     #: Median share of a whole weld of the strands that are joined to others; None without such.
     weld_median: float | None
+    #: The core's forecast, with all arrays.
     core: _core.Forecast = field(repr=False)
 
     @property
@@ -161,7 +163,13 @@ class Forecast:
         return self.core.weld
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything but the arrays as values that JSON knows."""
+        """Everything but the arrays as values that JSON knows.
+
+        Returns
+        -------
+        dict
+            What ``wireprint simulate --json`` prints.
+        """
         settings = self.judge.settings
         return {
             "trust": self.trust,

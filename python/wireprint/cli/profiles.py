@@ -46,7 +46,7 @@ class _Profiles(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Import a subcommand's module; any other word is the name of a profile."""
-        if cmd_name not in _COMMANDS:
+        if cmd_name not in _COMMANDS or ctx.params.get("keys"):
             return click.Command(
                 cmd_name,
                 callback=lambda: _tell(cmd_name, **ctx.params),

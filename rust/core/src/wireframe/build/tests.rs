@@ -32,7 +32,7 @@ fn the_better_of_two_builds_is_kept() {
     for _ in 0..24 {
         let sliced = printer.slice(&crowd(&mut random));
         let build_as = |searching: bool| {
-            let plan = Plan { layered: &none, head: &head, p: &p, searching };
+            let plan = Plan { layered: &none, standing: &[], head: &head, p: &p, searching };
             settled(&sliced, &plan, [&nothing; 2]).last
         };
         let (plain, searched) = (build_as(false), build_as(true));
