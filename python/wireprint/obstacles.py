@@ -66,7 +66,7 @@ def as_gcode(
     x, y = settings.printer.bed.centre_mm
     origin = np.array([x, y, 0.0]) + np.array(at_mm)
     lines = ["G90", "M83", ";TYPE:OBJECT"]
-    for start, *rest in _paths(mesh, settings.printer.head.nozzle_mm):
+    for start, *rest in _paths(mesh, settings.strand_mm):
         lines.append("G0 X{:.3f} Y{:.3f} Z{:.3f}".format(*(start + origin)))
         lines += ["G1 X{:.3f} Y{:.3f} Z{:.3f} E1".format(*(place + origin)) for place in rest]
     # The head is not in the object when the print begins.

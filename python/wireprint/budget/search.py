@@ -195,7 +195,7 @@ class Search:
         return one.single_mm if grown_mm is None else grown_mm
 
     def _best(self) -> Tried | None:
-        least_mm = _EXACT * self.settings.printer.head.nozzle_mm
+        least_mm = _EXACT * self.settings.strand_mm
 
         def cost(one: Tried) -> tuple[float, float]:
             return max(one.deviation_mm, least_mm) * self._give_mm(one), one.print_time_s
@@ -284,6 +284,6 @@ def _single(made: WirePrint) -> float:
     A round cantilever: L³ / (3 E I), with I = π d⁴ / 64 (Gere, *Mechanics of Materials*).
     """
     settings = made.settings
-    inertia_mm4 = math.pi / 64 * settings.printer.head.nozzle_mm**4
+    inertia_mm4 = math.pi / 64 * settings.strand_mm**4
     bending = 3 * settings.material.modulus_mpa * inertia_mm4
     return _share(math.dist(*ends) ** 3 / bending for ends in made.wireframe.posts.tolist())

@@ -76,7 +76,7 @@ def order(
     target.write(found.gcode)
     if others[0] is not None:
         suffix = str(others[0]).rpartition(".")[2].lower()
-        others[0].write(struts_as(found.graph, suffix, settings.printer.head.nozzle_mm / 2))
+        others[0].write(struts_as(found.graph, suffix, settings.strand_mm / 2))
     if others[1] is not None:
         as_bytes = as_csv if str(others[1]).lower().endswith(".csv") else frames_json
         others[1].write(as_bytes(found.toolpath, settings))

@@ -157,13 +157,13 @@ def _placed(graph: Graph, settings: Settings) -> Graph:
 
 def _bed_mm(settings: Settings) -> float:
     """Height up to which a node lies on the bed, mm."""
-    return settings.first_layer_height_mm + 0.25 * settings.printer.head.nozzle_mm
+    return settings.first_layer_height_mm + 0.25 * settings.strand_mm
 
 
 def _rules(settings: Settings, struts: int) -> dict[str, object]:
     wire = settings.wire
     return {
-        "strand_mm": settings.printer.head.nozzle_mm,
+        "strand_mm": settings.strand_mm,
         "bed_mm": _bed_mm(settings),
         "span_limit_mm": wire.span_limit_mm,
         "free_end_limit_mm": wire.free_end_limit_mm,
