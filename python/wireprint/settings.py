@@ -674,10 +674,10 @@ class Calibration(Section):
     date: Name = Field(description="day of the measurements, as 2026-11-27")
     measured: tuple[Name, ...] = Field(max_length=50, description="what, in words")
     strand_mm: float = Field(ge=0.05, le=5, description="diameter: the nozzle's, or wire.flow's")
-    nozzle_c: float = Field(ge=100, le=500)
-    method: CoolingMethod
-    print_mm_s: float = Field(ge=0.1, le=500)
-    pause_s: float = Field(ge=1e-3, le=60)
+    nozzle_c: float = Field(ge=100, le=500, description="of the nozzle measured with")
+    method: CoolingMethod = Field(description="cooling measured with")
+    print_mm_s: float = Field(ge=0.1, le=500, description="speed measured with")
+    pause_s: float = Field(ge=1e-3, le=60, description="after which posts held")
     pause_spread_s: float = Field(ge=0, le=60, description="one standard deviation")
     sags: tuple[SagPoint, ...] = Field(
         (), max_length=20, description="by length, the shortest first"
