@@ -70,7 +70,8 @@ fn passes_add_supports_while_the_one_before_leaves_something_out() {
     let sliced = printer.slice(&hall());
     let found = |supports: bool| {
         let p = WireParams { supports, ..printer.wire };
-        let plan = Plan { layered: &none, head: &printer.head, p: &p, searching: false };
+        let plan =
+            Plan { layered: &none, standing: &[], head: &printer.head, p: &p, searching: false };
         settled(&sliced, &plan, [&nothing; 2])
     };
     let plain = found(false);
@@ -96,7 +97,13 @@ fn passes_add_supports_while_the_one_before_leaves_something_out() {
 fn what_wants_no_support_is_laid_once() {
     let (none, printer) = (Layered::default(), Printer::paper());
     let sliced = printer.slice(&cuboid(DVec3::ZERO, DVec3::splat(24.0)));
-    let plan = Plan { layered: &none, head: &printer.head, p: &printer.wire, searching: false };
+    let plan = Plan {
+        layered: &none,
+        standing: &[],
+        head: &printer.head,
+        p: &printer.wire,
+        searching: false,
+    };
     let found = settled(&sliced, &plan, [&Guide::default(); 2]);
     assert!(found.propped.is_none() && found.first.is_none());
     assert!(!found.last.entries.strands.is_empty() && found.last.entries.unprinted.is_empty());
