@@ -60,7 +60,7 @@ class Flank:
 def measured(mesh, settings):
     """Return the median of strokes, s, half of the model, s, and how many samples it has."""
     sketch = make(mesh, settings, compare=False, partial=True).sketch
-    for part in ("samples", "strips", "level", "touchable"):
+    for part in ("samples", "strips", "level", "areas", "touchable"):
         getattr(sketch, part)
 
     def cpu_s(region):

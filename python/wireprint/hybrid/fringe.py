@@ -72,8 +72,9 @@ def fringe(
         inward = inset_mm + number * recipe.spacing_mm
         lines = shapely.offset_curve(strings, inward, join_style="mitre") if inward else strings
         if number:
-            room = offset(areas, -(inward - _ASIDE * recipe.width_mm))
-            lines = shapely.intersection(lines, room[layer])
+            there, place = np.unique(layer, return_inverse=True)
+            room = offset(areas[there], -(inward - _ASIDE * recipe.width_mm))
+            lines = shapely.intersection(lines, room[place])
         else:
             outer = lines
         least_mm = _SHORTEST * recipe.width_mm

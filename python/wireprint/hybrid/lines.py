@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from wireprint.hybrid.cut import Cut, Samples
     from wireprint.hybrid.runs import Runs
+    from wireprint.hybrid.sketch import Sketch
     from wireprint.layerwise.recipe import Recipe
 
     Floats = npt.NDArray[np.float64]
@@ -68,26 +69,24 @@ class Laid:
         return found
 
 
-def lay(
-    cut: Cut, samples: Samples, runs: Runs, inside: Inside, recipe: Recipe, inset_mm: float
-) -> Laid:
+def lay(sketch: Sketch, runs: Runs, inside: Inside, inset_mm: float) -> Laid:
     """Lay the lines of all runs and bring them into printing order.
 
     The outer walls are group 0, all that lies behind them is group 1.
 
     Parameters
     ----------
-    cut, samples, runs
-        The layers, and what of them is painted.
+    sketch
+        The layers, and the widths and counts of their lines.
+    runs
+        What of the layers is painted.
     inside
         What of the region lies behind the surface.
-    recipe
-        Widths and counts.
     inset_mm
         From the model's surface to the centre of the outer wall, mm.
     """
+    cut, samples, recipe, areas = sketch.cut, sketch.samples, sketch.recipe, sketch.areas
     whole = _whole_contours(cut, samples, runs)
-    areas = of_contours(cut, cut.closed, recipe.resolution_mm)
     filled = _in_whole_islands(cut, whole)
     painted = (runs.of_sample >= 0) & ~filled[samples.contour]
     edge = fringe(cut, samples, painted, areas, recipe, inset_mm)

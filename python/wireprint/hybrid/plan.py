@@ -110,7 +110,7 @@ class Plan:
         """All lines, each of which begins on something."""
         recipe = self.sketch.recipe
         inset_mm = self.settings.regions.inset * recipe.width_mm
-        laid = lay(self.cut, self.samples, self.runs, self._behind(), recipe, inset_mm)
+        laid = lay(self.sketch, self.runs, self._behind(), inset_mm)
         return replace(laid, route=anchored(laid.route, self.sketch.touchable))
 
     def _behind(self) -> Inside:

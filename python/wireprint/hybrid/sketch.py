@@ -14,7 +14,7 @@ from wireprint.hybrid.anchor import Touchable
 from wireprint.hybrid.cut import Cut, Samples, normals_of
 from wireprint.hybrid.flats import level_points
 from wireprint.hybrid.runs import Strips
-from wireprint.layerwise.areas import buffered
+from wireprint.layerwise.areas import buffered, of_contours
 from wireprint.layerwise.recipe import Recipe
 from wireprint.stages import wireframe
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Mesh, Wireframe
+    from wireprint.layerwise.areas import Geometries
     from wireprint.settings import Settings
 
     Floats = npt.NDArray[np.float64]
@@ -57,6 +58,13 @@ class Sketch:
     def cut(self) -> Cut:
         """The slabs, divided into layers."""
         return Cut.of(self.plain, self.mesh, self.settings.regions.layer_height_mm, self._strand_mm)
+
+    @cached_property
+    def areas(self) -> Geometries:
+        """What the closed contours of each layer enclose; nobody may write to the array."""
+        found = of_contours(self.cut, self.cut.closed, self.recipe.resolution_mm)
+        found.flags.writeable = False
+        return found
 
     @cached_property
     def samples(self) -> Samples:

@@ -108,7 +108,7 @@ class Printing:
 
     def prepare(self) -> None:
         """Make what the next stroke will ask for, while nobody waits for it."""
-        for part in ("samples", "strips", "level", "touchable"):
+        for part in ("samples", "strips", "level", "areas", "touchable"):
             self._on_stage(part)
             getattr(self.sketch, part)
 
