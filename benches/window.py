@@ -1,7 +1,7 @@
 """Measures the window without a screen: its address, first pictures, strokes and frames.
 
 python benches/window.py [NAME…]
-python benches/window.py --picture FILE.png    draws the README's picture of it
+python benches/window.py --picture docs/studio.png    draws the picture in the README
 
 Needs playwright, a browser and the shared models. Wall clocks of a machine that does nothing else.
 """

@@ -192,6 +192,19 @@ def test_a_print_is_given_up_between_the_steps_of_its_regions(cube):
     assert steps == ["marks", "layers, round 1", "wire beside layers, round 1", "proof, round 1"]
 
 
+def test_a_slow_print_tells_what_it_is_at_until_it_is_shown(talk, monkeypatch):
+    from wireprint.window import workshop
+
+    monkeypatch.setattr(workshop, "_SILENT_S", -1.0)
+    talk.told.clear()
+    talk.edit("mark", mark=BAND)
+    talk.wait("rest")
+    names = [name for name, _ in talk.told]
+    shown = names.index("print")
+    assert "progress" in names[:shown]
+    assert "progress" not in names[shown:]
+
+
 def test_a_saved_model_is_printed_anew_and_marks_stay(talk, cube):
     talk.edit("mark", mark=BAND)
     cube.write_bytes(examples.stl("sphere"))

@@ -61,6 +61,8 @@ class Workshop:
         self._date = source.dated()
         self._revision = 0
         self._done = -1
+        #: The newest change whose print is shown.
+        self._shown = -1
         self._stale = True
         self._stopped = False
         self._lasting: dict[str, bytes] = {}
@@ -251,12 +253,12 @@ class Workshop:
         printing.prepare()
 
     def _stages(self, revision: int) -> Callable[[str], None]:
-        """Return what is called before each stage: it gives up, or says what takes so long."""
+        """Return what is called before each stage: it gives up, or says what people wait for."""
         begin = time.monotonic()
 
         def stage(name: str) -> None:
             self._current(revision)
-            if time.monotonic() - begin > _SILENT_S:
+            if self._shown != revision and time.monotonic() - begin > _SILENT_S:
                 self._tell("progress", telling.words("progress", name))
 
         return stage
@@ -278,6 +280,7 @@ class Workshop:
             self._lasting.pop("failed", None)
             self._tell(event, content)
             if event == "print":
+                self._shown = revision
                 self._tell("current", encoded({"event": "current", "revision": revision}))
 
     def _current(self, revision: int) -> None:
