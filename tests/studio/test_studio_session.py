@@ -196,6 +196,7 @@ def test_a_slow_print_tells_what_it_is_at_until_it_is_shown(talk, monkeypatch):
     from wireprint.window import workshop
 
     monkeypatch.setattr(workshop, "_SILENT_S", -1.0)
+    talk.wait("rest")
     talk.told.clear()
     talk.edit("mark", mark=BAND)
     talk.wait("rest")
