@@ -5,7 +5,8 @@ from __future__ import annotations
 import difflib
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
+from types import UnionType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
@@ -162,8 +163,9 @@ def _leaves(model: type[BaseModel], prefix: Key = ()) -> list[Key]:
 
 
 def _model_in(annotation: Any) -> type[BaseModel] | None:
-    """Return the model of an annotation ``M`` or ``M | None``."""
-    for candidate in (annotation, *get_args(annotation)):
+    """Return the model of an annotation ``M`` or ``M | None``; a list of models has none."""
+    either = get_args(annotation) if get_origin(annotation) in (Union, UnionType) else ()
+    for candidate in (annotation, *either):
         if isinstance(candidate, type) and issubclass(candidate, BaseModel):
             return candidate
     return None

@@ -62,6 +62,8 @@ __all__ = [
     "read_slicer_config",
     "sags",
     "slice_mesh",
+    "stroke_run",
+    "tallest_slab",
     "toolpath",
     "wireframe",
 ]

@@ -774,7 +774,13 @@ class Settings(Section):
         return self.solidify_s if calibration is None else calibration.pause_s
 
     def calibrated_by(self) -> Calibration | None:
-        """Return the calibration, if it was measured with what these settings are."""
+        """Return the calibration, if it was measured with what these settings are.
+
+        Returns
+        -------
+        Calibration or None
+            What was measured; None where nothing was, or for another strand or temperature.
+        """
         known = self.calibration
         if known is None or self.wire.flow != 1.0:
             return None

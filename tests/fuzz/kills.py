@@ -17,10 +17,13 @@ import time
 from pathlib import Path
 
 WRITER = """
+import signal
 import sys
 from pathlib import Path
 from wireprint.files import written_whole
 folder, rounds = Path(sys.argv[1]), int(sys.argv[2])
+# A shell's background jobs inherit that it is ignored.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 print("begin", flush=True)
 for number in range(rounds):
     name = folder / ("same.gcode" if number % 2 else f"new{number % 50}.gcode")

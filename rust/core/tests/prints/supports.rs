@@ -40,25 +40,50 @@ fn legs(print: &Print) -> Vec<usize> {
     found
 }
 
+/// For each column, and each slab that it passes, how far its walls rise that are coiled, and the
+/// length of the strands that do, mm.
+fn coils(print: &Print) -> Vec<[f64; 2]> {
+    let frame = &print.frame;
+    let mut found = Vec::new();
+    for column in &frame.sliced.columns {
+        for slab in column.first..column.level {
+            let rises = frame.strands.iter().filter(|s| {
+                s.kind == Kind::Support
+                    && s.slab as usize == slab
+                    && !s.floating
+                    && s.to.z > s.from.z
+                    && s.to.truncate().distance(column.place) < 8.0
+            });
+            found.push(rises.fold([0.0, 0.0], |[height, length], s| {
+                [height + s.to.z - s.from.z, length + s.to.distance(s.from)]
+            }));
+        }
+    }
+    found
+}
+
 #[test]
 fn a_column_is_slender_and_stands_on_some_posts() {
     for printer in Printer::all() {
         let print = printer.print(&mushroom(8.0, 42.0));
         let frame = &print.frame;
         assert!(!frame.sliced.columns.is_empty());
-        let run = printer.strokes().run(printer.strokes().tallest(printer.head.cone_height));
         for contours in &frame.sliced.lower {
             for column in contours.iter().filter(|contour| contour.support) {
                 let middle = column.points.iter().sum::<DVec2>() / column.points.len() as f64;
                 for point in &column.points {
-                    // Its girth is two and a half runs of the highest slab.
-                    let girth = std::f64::consts::TAU * point.distance(middle);
-                    assert!((2.4..2.6).contains(&(girth / run)), "{girth} mm, {run}");
+                    let strands = point.distance(middle) / printer.wire.strand;
+                    assert!((strands - 4.0).abs() < 1e-9, "{strands}");
                 }
             }
         }
-        let legs = legs(&print);
-        assert!(legs.iter().all(|n| (1..=8).contains(n)), "{legs:?}");
+        // Each slab of it is a few posts, or turns that lie a strand above one another at most.
+        let strand = printer.wire.strand;
+        for (legs, [height, length]) in legs(&print).into_iter().zip(coils(&print)) {
+            let turns = length / (std::f64::consts::TAU * 4.0 * strand);
+            let coiled = height > 0.0 && turns * strand > 0.99 * height;
+            assert!((1..=8).contains(&legs) || coiled, "{legs} legs, {turns} turns, {height} mm");
+        }
     }
 }
 
