@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import wireprint
+from model_files import amf
 from threemf_files import cube_object, encoded, model
-from wireprint import Settings, _core, check, estimate, load_mesh, make
+from wireprint import Settings, _core, check, estimate, load_mesh, make, simulate
 
 CORNERS = np.eye(3)
 FACES = np.array([[0, 1, 2]] * 6)
@@ -51,6 +52,7 @@ def objects(made):
         _core.slice_mesh(made.mesh, np.array([5.0, 9.0])),
         _core.Strands.from_gcode(made.gcode),
         estimate(made.gcode, per_move=True).per_move,
+        simulate(made.gcode).core,
     ]
 
 
@@ -61,6 +63,7 @@ def returned(made):
         cube_object(attributes={5: f'paint_color="{encoded([0, 0, 2])}"', 2: 'paint_color="8"'})
     )
     _, objects, places = _core.read_model_part([part.encode()])
+    yield "read_amf", _core.read_amf([amf().encode()])
     yield "read_model_part", (objects, places)
     [(_, (_, _, painting, *_))] = objects
     yield "Painting.leaves", painting.leaves(CORNERS, FACES)

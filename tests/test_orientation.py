@@ -39,7 +39,7 @@ def example(folder, name, **placement):
 
 
 def test_a_tipped_bottle_is_stood_up_again(tmp_path):
-    standing = example(tmp_path, "bottle", scale=0.6)
+    standing = example(tmp_path, "bottle", scale=0.8)
     lying = standing.turned((90, 0, 0))
     assert lying.size_mm[2] < standing.size_mm[2] / 2
     found = orient(lying, SETTINGS)

@@ -35,12 +35,12 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "simulate": (
         "wireprint.cli.simulate",
         "simulate",
-        "Forecast whether strands hold, sag, meet and weld.",
+        "Forecast whether posts hold, stretches sag, and strands meet and weld.",
     ),
     "calibrate": (
         "wireprint.cli.calibrate",
         "calibrate",
-        "Write small prints that make forecasts true for your printer, and fit them.",
+        "Make forecasts true for your printer: print, measure, fit.",
     ),
     "estimate": ("wireprint.cli.estimate", "estimate", "Tell how long G-code takes to print."),
     "compare": (
