@@ -157,3 +157,37 @@ fn what_no_feature_parts_has_no_sheets() {
         assert!(sliced(&mesh).sheets.iter().all(Vec::is_empty));
     }
 }
+
+#[test]
+fn a_column_stands_at_the_nearest_place_with_room_or_where_there_is_most() {
+    let (mesh, printer) = (hall(), Printer::paper());
+    let plain = sliced(&mesh);
+    let level = plain.levels.iter().position(|l| (l.z - 40.0).abs() < 0.7).unwrap();
+    let strokes = printer.strokes();
+    let radius = 0.4 * strokes.run(strokes.tallest(printer.head.cone_height));
+    let mut random = Random(17);
+    for _ in 0..80 {
+        // Near a wall of the hollow, or in a corner of it.
+        let wanted = DVec2::new(random.between(30.0, 49.9), random.between(-49.9, 49.9));
+        let room = |p: DVec2| (50.0 - p.abs()).min_element();
+        let ring = |k: i32| {
+            let turn = |i: i32| DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / 8.0);
+            let count = if k == 0 { 1 } else { 8 };
+            (0..count).map(move |i| wanted + radius * f64::from(k) * turn(i))
+        };
+        let places: Vec<DVec2> = (0..=3).flat_map(ring).filter(|&p| room(p) > 0.0).collect();
+        let roomy = places.iter().copied().find(|&p| room(p) >= 2.0 * radius);
+        let tight = places.iter().copied().filter(|&p| room(p) >= 1.2 * radius);
+        let tight = tight.reduce(|best, p| if room(p) > room(best) { p } else { best });
+        let mut propped = plain.clone();
+        add(&mut propped, &[Need { level, place: wanted, urgent: true }], &[], &head(), &wire());
+        let found = propped.columns.first().map(|column| column.place);
+        match roomy.or(tight) {
+            Some(best) => {
+                let found = found.unwrap();
+                assert!(found.distance(best) < 1e-9, "{found}, not {best}, for {wanted}");
+            }
+            None => assert_eq!(found, None),
+        }
+    }
+}

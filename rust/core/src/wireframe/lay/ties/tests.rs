@@ -50,6 +50,36 @@ fn gaps_that_are_not_wide_are_left_alone() {
 }
 
 #[test]
+fn ties_lead_from_what_stands_beside_to_the_wide_gaps_and_nowhere_else() {
+    let places = [0.0, 20.0, 110.0, 130.0, 250.0];
+    for start in [0.0, 33.0] {
+        let (found, strands, _) = tied(start, &places, 40.0, &[56.0]);
+        let own = curve(&square(50.0));
+        let ties: Vec<&Post> = found.posts.iter().filter(|p| !places.contains(&p.s)).collect();
+        assert!(found.posts.is_sorted_by(|a, b| a.s <= b.s));
+        let spacing = TIE * 6.0;
+        for tie in &ties {
+            // Deep in one of the gaps, by eight tenths of a cap's spacing.
+            let gaps = [(20.0, 110.0), (130.0, 250.0), (250.0, 400.0)];
+            let margin = 0.8 * 6.0;
+            assert!(gaps.iter().any(|&(a, b)| a + margin < tie.s && tie.s < b - margin));
+            // From the neighbour's strand to the contour, in their plane.
+            let out = tie.base.truncate().abs().max_element();
+            assert!((out - 56.0).abs() < 1e-9 && (tie.base.z - Z).abs() < 1e-9, "{tie:?}");
+            let peak = own.position(start + tie.s).extend(Z);
+            assert!(tie.peak.distance(peak) < 1e-6, "{tie:?} is not at {peak}");
+        }
+        for pair in found.posts.windows(2) {
+            assert!(pair[1].s - pair[0].s < 3.0 * spacing, "a gap of {pair:?}");
+        }
+        // Of 360 mm of gaps a tie holds every 12 mm or so, two caps' spacings.
+        assert!((18..=30).contains(&ties.len()), "{} ties", ties.len());
+        assert!(strands.iter().all(|s| s.kind == Kind::Cap && (s.from.z - Z).abs() < 1e-9));
+        assert!(strands.len() >= ties.len());
+    }
+}
+
+#[test]
 fn a_neighbour_out_of_reach_ties_nothing_and_columns_are_asked_for() {
     // The longest free end is 20 mm: across a corner a neighbour 15 mm off is farther away.
     let (found, strands, columns) = tied(0.0, &[0.0, 60.0], 40.0, &[90.0]);

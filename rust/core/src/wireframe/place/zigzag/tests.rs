@@ -90,6 +90,99 @@ fn posts_of_the_plain_print_stay_and_others_give_way() {
     assert!(found.contains(&20.0) && found.contains(&90.0) && !found.contains(&104.0));
 }
 
+/// What stands below a curve, and carries posts all along.
+fn foot(curve: &Curve) -> Rim {
+    let points = curve.points().iter().map(|p| p.extend(0.0)).collect();
+    Rim { held: true, ..Rim::line(points) }
+}
+
+/// What a zigzag on the first of some walls is made from.
+fn input<'a>(curve: &'a Curve, walls: &'a Walls, rims: &'a [&'a Rim]) -> ZigzagInput<'a> {
+    let printer = Printer::paper();
+    ZigzagInput {
+        curve,
+        z: HEIGHT,
+        start: 0.0,
+        from: None,
+        rims,
+        walls,
+        wall: 0,
+        least: printer.head.clearance(HEIGHT),
+        run: printer.strokes().run(HEIGHT),
+        on_peaks: false,
+        placement: Placement::Optimal,
+        strand: printer.wire.strand,
+        span_limit: printer.wire.span_limit,
+        kept: &[],
+    }
+}
+
+#[test]
+fn near_another_wall_posts_stand_as_far_apart_as_leaves_room_between_them() {
+    let least = Printer::paper().head.clearance(HEIGHT);
+    let line = |y: f64| Curve::new(&[DVec2::new(0.0, y), DVec2::new(80.0, y)], false).unwrap();
+    let mut random = Random(3);
+    for _ in 0..40 {
+        let gap = random.between(0.1, 1.5) * least;
+        let own = line(0.0);
+        let walls = Walls::new(&[Some(own.clone()), Some(line(gap))], 0.8 * least..=1.1 * least);
+        let mut candidates = all(&own, &[20.0, 40.0, 60.0]);
+        let nearest = crowd(&input(&own, &walls, &[]), 0.0, &mut candidates, least);
+        // Walls are seen as samples: at most half their distance beside the nearest place.
+        let farthest = gap.hypot(0.5 * 0.15 * 1.1 * least);
+        for c in &candidates {
+            if c.room.is_infinite() {
+                assert!(farthest >= 0.999 * least && c.spacing == 0.0, "{c:?} at {gap}");
+                continue;
+            }
+            let seen = c.room * least;
+            assert!((gap - 1e-9..=farthest + 1e-9).contains(&seen), "{seen} for {gap}");
+            // Two posts here and one there, each clear of the other: a triangle of that height.
+            let wanted = 2.0 * 1.12 * (least * least - seen * seen).sqrt();
+            assert!((c.spacing - wanted).abs() < 1e-9, "{c:?} at {gap}");
+        }
+        let least_room = candidates.iter().map(|c| c.room).fold(f64::INFINITY, f64::min);
+        assert_eq!(nearest, least_room);
+    }
+}
+
+#[test]
+fn diagonals_join_posts_that_have_room_for_them() {
+    let printer = Printer::paper();
+    let least = printer.head.clearance(HEIGHT);
+    let line = |y: f64| Curve::new(&[DVec2::new(0.0, y), DVec2::new(120.0, y)], false).unwrap();
+    for (gap, linked) in [(0.55, false), (0.65, true), (3.0, true)] {
+        let own = line(0.0);
+        let walls =
+            Walls::new(&[Some(own.clone()), Some(line(gap * least))], 0.8 * least..=1.1 * least);
+        let rim = foot(&own);
+        let (start, steps) = zigzag(&input(&own, &walls, &[&rim]), &printer.head, |_| true);
+        assert_eq!(start, 0.0);
+        assert!(steps.len() > 4 && !steps[0].linked);
+        assert!(steps[1..].iter().all(|step| step.linked == linked), "{gap}: {steps:?}");
+        assert!(steps.iter().all(|step| step.post.base.z == 0.0 && step.post.peak.z == HEIGHT));
+    }
+}
+
+#[test]
+fn a_zigzag_stands_where_it_is_free_alone() {
+    let printer = Printer::paper();
+    let own = Curve::new(&[DVec2::ZERO, DVec2::X * 120.0], false).unwrap();
+    let walls = Walls::new(&[Some(own.clone())], 4.0..=8.0);
+    let rim = foot(&own);
+    for placement in [Placement::Optimal, Placement::Paper] {
+        let mut input = input(&own, &walls, &[]);
+        let rims = [&rim];
+        (input.rims, input.placement) = (&rims, placement);
+        let free = |post: &Post| !(30.0..40.0).contains(&post.s);
+        let (_, steps) = zigzag(&input, &printer.head, free);
+        assert!(steps.len() > 4 && steps.iter().all(|step| free(&step.post)), "{steps:?}");
+        assert!(steps.iter().any(|s| s.post.s < 30.0) && steps.iter().any(|s| s.post.s > 40.0));
+        let (_, none) = zigzag(&input, &printer.head, |_| false);
+        assert!(none.is_empty());
+    }
+}
+
 #[test]
 fn spacings_divide_a_contour_evenly() {
     use crate::wireframe::place::posts::even_spacing;
