@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
+use crate::geometry::cells::Cells;
 use crate::geometry::curve::Curve;
 
 /// A place on a contour: its number, arc length (mm) and position.
@@ -26,10 +27,7 @@ struct Run {
 pub struct Walls {
     /// How far apart samples are, mm.
     pitch: f64,
-    cell: f64,
-    origin: DVec2,
-    columns: usize,
-    rows: usize,
+    cells: Cells,
     lengths: Vec<(f64, bool)>,
     /// The contours that no other wall comes near, for any reach asked about within these bounds.
     roomy: Vec<bool>,
@@ -60,30 +58,14 @@ impl Walls {
         let (low, high) = samples
             .iter()
             .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |b, s| (b.0.min(s.2), b.1.max(s.2)));
-        let size = if samples.is_empty() { DVec2::ZERO } else { high - low };
-        let cell = (reaches.end() + 0.5 * pitch).max(size.max_element() / MOST_CELLS);
-        let columns = (size.x / cell) as usize + 1;
-        let rows = (size.y / cell) as usize + 1;
+        let side = (reaches.end() + 0.5 * pitch).max((high - low).max_element() / MOST_CELLS);
+        let cells = Cells::new(low, high, side);
         let lengths = curves
             .iter()
             .map(|c| c.as_ref().map_or((0.0, false), |c| (c.length(), c.is_closed())))
             .collect();
-        let origin = if samples.is_empty() { DVec2::ZERO } else { low };
-        let (runs, begins) = (Vec::new(), Vec::new());
-        let roomy = Vec::new();
-        let mut walls = Self {
-            pitch,
-            cell,
-            origin,
-            columns,
-            rows,
-            lengths,
-            roomy,
-            reaches,
-            samples,
-            runs,
-            begins,
-        };
+        let (runs, begins, roomy) = (Vec::new(), Vec::new(), Vec::new());
+        let mut walls = Self { pitch, cells, lengths, roomy, reaches, samples, runs, begins };
         walls.sort();
         walls.roomy = walls.find_roomy();
         walls
@@ -91,8 +73,8 @@ impl Walls {
 
     /// Brings the samples into the order of their cells (counting sort), and finds their runs.
     fn sort(&mut self) {
-        let cells: Vec<usize> = self.samples.iter().map(|s| self.cell_of(s.2)).collect();
-        let mut next = vec![0; self.columns * self.rows + 1];
+        let cells: Vec<usize> = self.samples.iter().map(|s| self.cells.of(s.2)).collect();
+        let mut next = vec![0; self.cells.count() + 1];
         for &cell in &cells {
             next[cell + 1] += 1;
         }
@@ -139,16 +121,6 @@ impl Walls {
         roomy
     }
 
-    fn place(&self, p: DVec2) -> (usize, usize) {
-        let at = ((p - self.origin) / self.cell).max(DVec2::ZERO);
-        ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1))
-    }
-
-    fn cell_of(&self, p: DVec2) -> usize {
-        let (column, row) = self.place(p);
-        row * self.columns + column
-    }
-
     /// Whether [`Self::gap`] is infinite all along a contour.
     #[must_use]
     pub fn is_roomy(&self, wall: usize, reach: f64) -> bool {
@@ -168,13 +140,13 @@ impl Walls {
     /// As [`Self::gap`], with parts of the same contour left out that are up to `own` mm away along
     /// it.
     fn nearest(&self, wall: usize, s: f64, place: DVec2, reach: f64, own: f64) -> f64 {
-        let (column, row) = self.place(place);
-        let columns = column.saturating_sub(1)..(column + 2).min(self.columns);
+        let around = DVec2::splat(self.cells.side());
+        let (columns, rows) = self.cells.span(place - around, place + around);
         let mut nearest = reach * reach;
-        for row in row.saturating_sub(1)..(row + 2).min(self.rows) {
+        for row in rows {
             // The cells of one row lie side by side in memory.
-            let begin = self.begins[row * self.columns + columns.start];
-            let end = self.begins[row * self.columns + columns.end];
+            let begin = self.begins[self.cells.number(*columns.start(), row)];
+            let end = self.begins[self.cells.number(*columns.end(), row) + 1];
             for run in &self.runs[begin..end] {
                 if run.wall == wall && self.is_beside(run, s, own) {
                     continue;
