@@ -238,7 +238,7 @@ KEYS = {
     "w": "!studio.view.strands.visible",
     "[": "store.radiusMm.value < 5",
     "]": "store.radiusMm.value === 5",
-    "?": "document.querySelector('[role=dialog]') !== null",
+    "?": "document.querySelector('dialog[open]') !== null",
     "n": "store.toast.value?.words === 'nothing is wrong or missing'",
     "Space": "store.playing.value",
 }

@@ -1,40 +1,38 @@
 // The page in any host: its parts, and who they show.
 import { effect } from "@preact/signals";
 import { render, type JSX } from "preact";
+import { Dialog } from "./dialog";
 import { Tools } from "./editing";
 import { Head, Hints, Messages, Slabs, Still, Timeline, Views } from "./frame";
-import { Icon } from "./icons";
 import { keysOf, listen } from "./keys";
 import type { Linking } from "./link";
 import { Panel } from "./panel";
+import { Sending } from "./sending";
 import * as store from "./store";
 import { Studio } from "./studio";
 import css from "./studio.css";
 import { Viewer } from "./viewer";
 
-function Keys({ edits }: { edits: boolean }): JSX.Element | null {
-  if (!store.helps.value) return null;
-  const close = () => (store.helps.value = false);
+function Keys({ edits }: { edits: boolean }): JSX.Element {
   return (
-    <div class="veil" onClick={close}>
-      <div class="keys" role="dialog" aria-modal="true" aria-label="keys" onClick={(event) => event.stopPropagation()}>
-        <h2>Keys</h2>
-        <button type="button" class="plain close" aria-label="close" autoFocus onClick={close}>
-          <Icon name="close" />
-        </button>
-        <dl>
-          {keysOf(edits).map(([key, does]) => (
-            <div key={key}>
-              <dt>
-                <kbd>{key}</kbd>
-              </dt>
-              <dd>{does}</dd>
-            </div>
-          ))}
-        </dl>
-      </div>
-    </div>
+    <Dialog name="Keys" onClose={() => (store.dialog.value = null)}>
+      <dl class="keys">
+        {keysOf(edits).map(([key, does]) => (
+          <div key={key}>
+            <dt>
+              <kbd>{key}</kbd>
+            </dt>
+            <dd>{does}</dd>
+          </div>
+        ))}
+      </dl>
+    </Dialog>
   );
+}
+
+function Dialogs({ studio }: { studio: Studio | null }): JSX.Element | null {
+  if (store.dialog.value === "keys") return <Keys edits={studio !== null} />;
+  return store.dialog.value === "send" && studio ? <Sending studio={studio} /> : null;
 }
 
 /** The places of the page's parts; the canvas is the scene's own. */
@@ -45,7 +43,7 @@ const PLACES = `
     <main class="stage"><canvas aria-label="model and print" role="img"></canvas><div data-part="over"></div></main>
     <div data-part="panel"></div>
     <div data-part="foot"></div>
-    <div data-part="keys"></div>
+    <div data-part="dialogs"></div>
   </div>`;
 
 /** Builds the page in an element of a document or of a shadow tree; returns what takes it down. */
@@ -74,7 +72,7 @@ export function build(root: HTMLElement, host: typeof store.host.value, linking:
     ),
     panel: <Panel viewer={viewer} studio={studio} />,
     foot: <Timeline viewer={viewer} />,
-    keys: <Keys edits={studio !== null} />,
+    dialogs: <Dialogs studio={studio} />,
   };
   const places = Object.entries(parts).map(([name, part]) => {
     const place = root.querySelector(`[data-part="${name}"]`)!;

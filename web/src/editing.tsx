@@ -56,6 +56,8 @@ export function ExportMenu({ studio }: { studio: Studio }): JSX.Element {
           {entry("Project (3MF)", "Ctrl S", () => void studio.export("project"))}
           {entry("Strokes (JSON)", "", () => void studio.export("strokes"))}
           {entry("Picture (PNG)", "", () => void studio.picture())}
+          <hr />
+          {entry("Send to a printer…", "", () => (store.dialog.value = "send"))}
           {store.welcome.value?.saves ? (
             <>
               <hr />
@@ -122,7 +124,7 @@ export function Tools({ studio }: { studio: Studio | null }): JSX.Element {
         <Tool icon="wire" name="Wire" keyName="W" on={store.showsWire.value} act={() => (store.showsWire.value = !store.showsWire.value)} />
       ) : null}
       <span class="grow" />
-      <Tool icon="key" name="Keys" keyName="?" act={() => (store.helps.value = true)} />
+      <Tool icon="key" name="Keys" keyName="?" act={() => (store.dialog.value = "keys")} />
     </nav>
   );
 }

@@ -69,10 +69,10 @@ export function listen(viewer: Viewer, studio: Studio | null, target: EventTarge
     w: () => (store.showsWire.value = !store.showsWire.value),
     n: () => viewer.next(),
     " ": () => viewer.play(),
-    "?": () => (store.helps.value = !store.helps.value),
+    "?": () => (store.dialog.value = store.dialog.value === null ? "keys" : null),
     escape: () => {
       store.selected.value = null;
-      store.helps.value = false;
+      store.dialog.value = null;
       store.drawer.value = false;
     },
   };
@@ -88,6 +88,7 @@ export function listen(viewer: Viewer, studio: Studio | null, target: EventTarge
     const key = event.key.toLowerCase();
     const control = event.ctrlKey || event.metaKey;
     let act: (() => void) | undefined;
+    if (store.dialog.value !== null && !["?", "escape"].includes(key)) return;
     if (control && key === "z" && studio && !isTyping(event))
       act = () => void studio.edit({ do: event.shiftKey ? "redo" : "undo" });
     else if (control) act = key === "y" && isTyping(event) ? undefined : withControl[key];

@@ -108,8 +108,27 @@ export interface Welcome {
   size_mm?: Point;
   /** Whether files can be written beside the model. */
   saves?: boolean;
+  /** Names of the hosts that prints can be sent to; what is wrong with their file, and where it is. */
+  hosts?: string[];
+  hosts_fault?: string;
+  hosts_file?: string;
   printers: string[];
   materials: string[];
+}
+
+/** A start that has not been agreed to: what a message brings back to agree. */
+export interface Asked {
+  asks: string;
+  file: string;
+}
+
+/** A file on its way: the share that went out, null once it is over. */
+export interface Sent {
+  host: string;
+  file: string;
+  start: boolean;
+  share: number | null;
+  error: string;
 }
 
 export interface Model {

@@ -1,6 +1,6 @@
 // What the page shows, as signals: components follow them, the scene is told in studio.ts.
 import { computed, signal } from "@preact/signals";
-import type { Field, Model, Point, Print, State, Welcome } from "./protocol";
+import type { Field, Model, Point, Print, Sent, State, Welcome } from "./protocol";
 import type { Mode } from "./strands";
 
 export type Tool = "turn" | "fill" | "erase";
@@ -54,7 +54,10 @@ export const slab = signal(Infinity);
 /** The mark whose handles are shown. */
 export const selected = signal<number | null>(null);
 export const drawer = signal(false);
-export const helps = signal(false);
+/** What is to be closed before all else goes on. */
+export const dialog = signal<"keys" | "send" | null>(null);
+/** The file that was sent last. */
+export const sending = signal<Sent | null>(null);
 export const fields = signal<Field[]>([]);
 export const sections = signal<Record<string, string>>({});
 /** What was refused at which setting. */
@@ -121,6 +124,12 @@ export const spots = computed<Spot[]>(() => {
     ),
   ];
 });
+
+export function sendingWords({ host, file, start, share, error }: Sent): string {
+  if (error) return error;
+  if (share === null) return start ? `${file} is at ${host}, which prints it` : `${file} is at ${host}`;
+  return share < 1 ? `${file} goes to ${host}: ${Math.floor(100 * share)} %` : `${host} takes ${file}…`;
+}
 
 /** Time, or strands where times are not known, as people read them. */
 export function instant(amount: number): string {

@@ -3,8 +3,8 @@ import { batch } from "@preact/signals";
 import { Box3, Vector3 } from "three";
 import { Brush } from "./brush";
 import { Handles } from "./handles";
-import type { Linking } from "./link";
-import type { Answer, Field, Item, Model, Shape, State, Value } from "./protocol";
+import { Refused, type Linking } from "./link";
+import type { Answer, Asked, Field, Item, Model, Sent, Shape, State, Value } from "./protocol";
 import * as store from "./store";
 import { Viewer, download } from "./viewer";
 
@@ -97,6 +97,18 @@ export class Studio extends Viewer {
     }
   }
 
+  /** Has the G-code sent to a host; returns the start that is to be agreed to first, if there is one. */
+  async send(host: string, start: boolean, sure: string | null): Promise<Asked | null> {
+    try {
+      const { head } = await this.asked({ do: "send", host, start, sure });
+      return head["asks"] === null ? null : (head as unknown as Asked);
+    } catch (error) {
+      if (!(error instanceof Refused)) throw error;
+      store.sending.value = { host, file: "", start, share: null, error: error.message };
+      return null;
+    }
+  }
+
   async loadFields(): Promise<void> {
     if (store.fields.value.length) return;
     try {
@@ -118,7 +130,13 @@ export class Studio extends Viewer {
     super.take(answer);
     if (answer.head.event === "welcome" && store.host.value === "studio")
       document.title = `${store.welcome.value?.name} · wireprint studio`;
+    if (answer.head.event === "sending") this.takeSent(answer.head as unknown as Sent);
     if (answer.head.event === "paint") this.brush.answered(store.printed.value);
+  }
+
+  private takeSent(sent: Sent): void {
+    store.sending.value = sent;
+    if (sent.share === null && store.dialog.value !== "send") this.say(store.sendingWords(sent), sent.error !== "");
   }
 
   protected override takeModel(model: Model, vertices: Float32Array, faces: Uint32Array): void {

@@ -36,13 +36,30 @@ class Sent:
     started: bool
 
 
+@dataclass(frozen=True)
+class _File:
+    """What is sent, and what for."""
+
+    name: str
+    content: bytes
+    start: bool
+    on_sent: Callable[[float], None] | None
+
+
 def plain_name(name: str) -> str:
     """Return a name that all hosts take: plain letters, and ``.gcode`` at its end."""
     stem = _PLAIN.sub("_", re.sub(r"\.(gcode|gco|g|nc|ngc)$", "", name, flags=re.IGNORECASE))
     return f"{stem.strip('._') or 'print'}"[:_LONGEST_NAME] + ".gcode"
 
 
-def send(host: Host, name: str, content: bytes, *, start: bool = False) -> Sent:
+def send(
+    host: Host,
+    name: str,
+    content: bytes,
+    *,
+    start: bool = False,
+    on_sent: Callable[[float], None] | None = None,
+) -> Sent:
     """Send G-code to a host.
 
     Parameters
@@ -55,6 +72,8 @@ def send(host: Host, name: str, content: bytes, *, start: bool = False) -> Sent:
         Its text.
     start
         Whether the host shall print it at once.
+    on_sent
+        Called with the share of the file that went out, from 0 to 1, while it does.
 
     Raises
     ------
@@ -62,7 +81,7 @@ def send(host: Host, name: str, content: bytes, *, start: bool = False) -> Sent:
         The host was not reached, or did not take it.
     """
     name = plain_name(name)
-    _KINDS[host.kind](host, name, content, start)
+    _KINDS[host.kind](host, _File(name, content, start, on_sent))
     return Sent(host.name, name, start)
 
 
@@ -70,30 +89,35 @@ def _key(host: Host) -> dict[str, str]:
     return {"X-Api-Key": host.key} if host.key else {}
 
 
-def _octoprint(host: Host, name: str, content: bytes, start: bool) -> None:
-    word = "true" if start else "false"
-    body, bounds = form({"select": word, "print": word}, name, content)
-    ask(host, "POST", "/api/files/local", body=body, headers=bounds | _key(host))
+def _octoprint(host: Host, file: _File) -> None:
+    word = "true" if file.start else "false"
+    body, bounds = form({"select": word, "print": word}, file.name, file.content)
+    headers = bounds | _key(host)
+    ask(host, "POST", "/api/files/local", body=body, headers=headers, on_sent=file.on_sent)
 
 
-def _moonraker(host: Host, name: str, content: bytes, start: bool) -> None:
-    body, bounds = form({"root": "gcodes", "print": "true" if start else "false"}, name, content)
-    said = ask(host, "POST", "/server/files/upload", body=body, headers=bounds | _key(host))
-    if start and isinstance(said, dict) and said.get("print_started") is False:
+def _moonraker(host: Host, file: _File) -> None:
+    fields = {"root": "gcodes", "print": "true" if file.start else "false"}
+    body, bounds = form(fields, file.name, file.content)
+    headers = bounds | _key(host)
+    path = "/server/files/upload"
+    said = ask(host, "POST", path, body=body, headers=headers, on_sent=file.on_sent)
+    if file.start and isinstance(said, dict) and said.get("print_started") is False:
         msg = f"{host.name}: the file is there, but was not started: is Klipper ready, and idle?"
         raise SendError(msg)
 
 
-def _prusalink(host: Host, name: str, content: bytes, start: bool) -> None:
+def _prusalink(host: Host, file: _File) -> None:
     headers = _key(host) | {
         "Content-Type": "text/x.gcode",
-        "Print-After-Upload": "?1" if start else "?0",
+        "Print-After-Upload": "?1" if file.start else "?0",
         "Overwrite": "?1",
     }
-    ask(host, "PUT", f"/api/v1/files/{host.storage}/{quote(name)}", body=content, headers=headers)
+    path = f"/api/v1/files/{host.storage}/{quote(file.name)}"
+    ask(host, "PUT", path, body=file.content, headers=headers, on_sent=file.on_sent)
 
 
-def _duet(host: Host, name: str, content: bytes, start: bool) -> None:
+def _duet(host: Host, file: _File) -> None:
     now = datetime.now().isoformat(timespec="seconds")
     asked = urlencode({"password": host.key or "reprap", "time": now})
     session = ask(host, "GET", f"/rr_connect?{asked}")
@@ -101,12 +125,13 @@ def _duet(host: Host, name: str, content: bytes, start: bool) -> None:
     number = session.get("sessionKey") if isinstance(session, dict) else None
     headers = {} if number is None else {"X-Session-Key": str(number)}
     try:
-        path = f"0:/gcodes/{name}"
-        asked = urlencode({"name": path, "time": now, "crc32": f"{zlib.crc32(content):08x}"})
-        kind = {"Content-Type": "application/octet-stream"}
-        said = ask(host, "POST", f"/rr_upload?{asked}", body=content, headers=headers | kind)
+        path = f"0:/gcodes/{file.name}"
+        asked = urlencode({"name": path, "time": now, "crc32": f"{zlib.crc32(file.content):08x}"})
+        kind = headers | {"Content-Type": "application/octet-stream"}
+        upload = f"/rr_upload?{asked}"
+        said = ask(host, "POST", upload, body=file.content, headers=kind, on_sent=file.on_sent)
         _demand(said, host, {1: "the file was not taken whole; is there room on its card?"})
-        if start:
+        if file.start:
             command = urlencode({"gcode": f'M32 "{path}"'})
             ask(host, "GET", f"/rr_gcode?{command}", headers=headers)
     finally:
@@ -123,7 +148,7 @@ def _demand(said: Any, host: Host, meanings: dict[int, str]) -> None:
         raise SendError(f"{host.name} ({host.url}): refused: {meaning}")
 
 
-_KINDS: Final[dict[str, Callable[[Host, str, bytes, bool], None]]] = {
+_KINDS: Final[dict[str, Callable[[Host, _File], None]]] = {
     "octoprint": _octoprint,
     "moonraker": _moonraker,
     "prusalink": _prusalink,

@@ -7,13 +7,14 @@ import secrets
 import urllib.error
 import urllib.request
 from http.client import HTTPException
+from io import BytesIO
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import WireprintError
 from wireprint.text import one_line
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
     from http.client import HTTPResponse
 
     from wireprint.hosts import Host
@@ -59,6 +60,7 @@ def ask(
     body: bytes | None = None,
     headers: Mapping[str, str] | None = None,
     timeout_s: float = TIMEOUT_S,
+    on_sent: Callable[[float], None] | None = None,
 ) -> Any:
     """Make a request; return what the answer's JSON says, None where it is none.
 
@@ -70,6 +72,8 @@ def ask(
         Of the request; the path may hold secrets, which no message repeats.
     timeout_s
         Longest silence, s.
+    on_sent
+        Called with the share of the body that went out, from 0 to 1.
 
     Raises
     ------
@@ -77,8 +81,13 @@ def ask(
         The host was not reached, or refused.
     """
     where = f"{host.name} ({host.url})"
+    data: bytes | _Told | None = body
+    headers = dict(headers or {})
+    if body is not None and on_sent is not None:
+        data = _Told(body, on_sent)
+        headers["Content-Length"] = str(len(body))
     request = urllib.request.Request(  # noqa: S310 - `hosts` lets pass http and https alone
-        host.url + path, data=body, headers=dict(headers or {}), method=method
+        host.url + path, data=data, headers=headers, method=method
     )
     try:
         with _OPENER.open(request, timeout=timeout_s) as answer:
@@ -89,6 +98,8 @@ def ask(
             meaning = "it sends on to another address; name that one as its url"
         with error:
             said = _words(error)
+        # A host that repeats what it was asked would tell the key to who reads its words.
+        said = said.replace(host.key, "…") if host.key else said
         told = "; ".join(part for part in (meaning, said) if part)
         raise SendError(f"{where}: refused ({error.code}): {told or 'it says no more'}") from None
     except TimeoutError:
@@ -102,6 +113,19 @@ def ask(
     except (OSError, HTTPException, ValueError) as error:
         why = getattr(error, "strerror", None) or type(error).__name__
         raise SendError(f"{where}: the connection broke: {one_line(str(why))}") from None
+
+
+class _Told(BytesIO):
+    """A body that tells how much of it was read."""
+
+    def __init__(self, content: bytes, on_sent: Callable[[float], None]) -> None:
+        super().__init__(content)
+        self._size, self._on_sent = max(len(content), 1), on_sent
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        """Return the next bytes, and tell what share went out before them."""
+        self._on_sent(self.tell() / self._size)
+        return super().read(size)
 
 
 def _said(answer: HTTPResponse) -> Any:

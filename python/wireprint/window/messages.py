@@ -128,6 +128,18 @@ class Save(_Message):
     over: _Name | None = None
 
 
+class Send(_Message):
+    """Send the G-code to a host of the user's."""
+
+    do: Literal["send"]
+    #: Its name in the user's configuration: a page gives no address.
+    host: _Name
+    #: Whether it shall be printed at once.
+    start: bool = False
+    #: What was answered when it was asked about the start, once the user agreed.
+    sure: _Name | None = None
+
+
 class Picture(_Message):
     """Draw the print, for a browser that cannot."""
 
@@ -151,6 +163,7 @@ Message = Annotated[
     | Schema
     | Export
     | Save
+    | Send
     | Picture,
     Field(discriminator="do"),
 ]

@@ -14,6 +14,7 @@ from wireprint.regions import document
 from wireprint.regions.document import MarkEntry
 from wireprint.window import messages, outputs, telling
 from wireprint.window.answer import encoded
+from wireprint.window.dispatch import Dispatch
 from wireprint.window.workshop import Workshop
 
 if TYPE_CHECKING:
@@ -38,6 +39,7 @@ class Session:
     def __init__(self, source: Source, tell: Callable[[str, bytes], None]) -> None:
         self._source = source
         self.workshop = Workshop(source, tell)
+        self._dispatch = Dispatch(tell)
 
     def start(self) -> None:
         """Begin to read, print and watch the model."""
@@ -49,7 +51,7 @@ class Session:
 
     def welcome(self) -> list[bytes]:
         """Return what a page is told first: what it may ask for, and all that is known."""
-        return [telling.welcome(self._source), *self.workshop.known()]
+        return [telling.welcome(self._source, self._dispatch.offered()), *self.workshop.known()]
 
     def handle(self, content: bytes) -> bytes:
         """Do what a message asks, and return its answer; a fault is an answer, too."""
@@ -80,6 +82,10 @@ class Session:
                 return encoded({**head, "name": name}, {"file": file})
             case messages.Save():
                 return encoded({**head, **self._saved_beside(message)})
+            case messages.Send():
+                name = outputs.name_of("gcode", self._source.name)
+                sent = self._dispatch.send(message, self.workshop.printed(), name)
+                return encoded({**head, **sent})
             case messages.Picture(azimuth_deg=azimuth, elevation_deg=elevation):
                 size = message.width, message.height
                 png = outputs.picture(self.workshop.printed(), (azimuth, elevation), size)

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from wireprint.window.source import Source
 
 
-def welcome(source: Source) -> bytes:
-    """Tell what a page may ask for."""
+def welcome(source: Source, offered: dict[str, Any]) -> bytes:
+    """Tell what a page may ask for; `offered`: which hosts there are to send to."""
     return encoded(
         {
             "event": "welcome",
@@ -26,6 +26,7 @@ def welcome(source: Source) -> bytes:
             "printers": catalogue.names("printers"),
             "materials": catalogue.names("materials"),
             "saves": source.path is not None,
+            **offered,
         }
     )
 
