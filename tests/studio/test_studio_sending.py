@@ -38,7 +38,7 @@ def over(talk):
 def sent_to(server, kind):
     """What a fake host of a kind was given: name, bytes, whether to start, key."""
     (asked,) = [one for one in server.asked if one[0] != "GET"]
-    method, path, headers, body = asked
+    _, path, headers, body = asked
     if kind == "prusalink":
         started = headers["Print-After-Upload"] == "?1"
         return path.rpartition("/")[2], body, started, headers["X-Api-Key"]

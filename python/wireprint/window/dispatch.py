@@ -91,7 +91,8 @@ class Dispatch:
             return {"asks": sure, "file": name}
         with self._guard:
             if self._under_way:
-                raise SettingError(f"a file is on its way to {self._under_way}; wait until it is there")
+                msg = f"a file is on its way to {self._under_way}; wait until it is there"
+                raise SettingError(msg)
             self._under_way = host.name
         self._say(host, name, message.start, share=0.0)
         work = (host, name, printed.gcode, message.start)

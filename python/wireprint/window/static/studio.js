@@ -4661,7 +4661,6 @@ dialog::backdrop { background: rgb(10 12 16 / 45%); }
 .leaf .close { position: absolute; top: 14px; right: 14px; }
 .leaf .facts { margin: 0; font-size: 13px; overflow-wrap: anywhere; }
 .leaf p { overflow-wrap: anywhere; }
-.leaf p::first-letter { text-transform: uppercase; }
 .hosts { display: grid; gap: 2px; max-height: 180px; overflow-y: auto; }
 .hosts label { display: flex; gap: 9px; align-items: center; padding: 7px 9px; border-radius: var(--radius); overflow-wrap: anywhere; }
 .hosts label:has(:checked) { background: var(--accent-soft); }
