@@ -53,6 +53,7 @@ __all__ = [
     "holding_pause",
     "insert_progress",
     "lattice_toolpath",
+    "modes_after",
     "nearest",
     "nusselt_across",
     "nusselt_still",
@@ -672,6 +673,9 @@ def sags(
 ) -> list[float]: ...
 def bgcode_text(content: bytes) -> bytes: ...
 def certify(text: bytes, rules: Mapping[str, Any]) -> Certificate: ...
+def modes_after(
+    text: bytes, rules: Mapping[str, Any]
+) -> tuple[_Point, float, bool, float, bool]: ...
 def growth(
     text: bytes, rules: Mapping[str, Any], modulus_mpa: float, most_work: float
 ) -> list[tuple[int, _Point, float]] | None: ...

@@ -53,6 +53,11 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "studio",
         "Open a window that paints, shows and prints a model.",
     ),
+    "splice": (
+        "wireprint.cli.splice",
+        "splice",
+        "Put wire between another slicer's layers.",
+    ),
     "order": (
         "wireprint.cli.order",
         "order",

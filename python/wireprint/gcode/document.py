@@ -118,17 +118,22 @@ def commands(toolpath: Toolpath, settings: Settings, *, wire: bool = True) -> by
     gcode = settings.printer.gcode
     material = settings.material
     names = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c}
-    park_z = min(toolpath.top_mm + _PARK_MM, settings.printer.bed.height_mm)
-    gentle, usual = _bed_limits(settings) if wire else ("", "")
+    gentle, usual = bed_limits(settings) if wire else ("", "")
     parts = [
         _sequence(gcode.start, names).encode(),
-        _modes(settings).encode(),
+        modes(settings).encode(),
         gentle.encode(),
         moves(toolpath, settings),
         usual.encode(),
-        _sequence(gcode.end, {"park_z_mm": park_z}).encode(),
+        ending(toolpath.top_mm, settings),
     ]
     return b"".join(parts)
+
+
+def ending(top_mm: float, settings: Settings) -> bytes:
+    """Return the end sequence of a print that is so high, mm."""
+    park_z = min(top_mm + _PARK_MM, settings.printer.bed.height_mm)
+    return _sequence(settings.printer.gcode.end, {"park_z_mm": park_z}).encode()
 
 
 def moves(toolpath: Toolpath, settings: Settings) -> bytes:
@@ -230,7 +235,7 @@ def _sequence(template: str, numbers: Mapping[str, float]) -> str:
     return f"{text}\n" if text else ""
 
 
-def _modes(settings: Settings) -> str:
+def modes(settings: Settings) -> str:
     """Return what the moves build on, whatever the start sequence left behind."""
     gcode, lag_s = settings.printer.gcode, settings.printer.extruder.pressure_lag_s
     extrusion = "M83" if gcode.relative_extrusion else "M82"
@@ -240,7 +245,7 @@ def _modes(settings: Settings) -> str:
     return f"G21\nG90\n{extrusion}\nG92 E0\n{advance}"
 
 
-def _bed_limits(settings: Settings) -> tuple[str, str]:
+def bed_limits(settings: Settings) -> tuple[str, str]:
     """Return what limits the bed's acceleration while strands stand on it, and what ends that."""
     motion = settings.printer.motion
     limit = FLAVORS[settings.printer.gcode.flavor].limit

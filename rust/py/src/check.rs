@@ -12,6 +12,7 @@ use wireprint_core::fidelity::{self, Terms};
 use wireprint_core::gcode::arc::Fineness;
 use wireprint_core::gcode::homing::Homing;
 use wireprint_core::gcode::machine::{Dialect, MachineSettings};
+use wireprint_core::gcode::modes::Modes;
 use wireprint_core::gcode::retraction::Retraction;
 
 use crate::arrays;
@@ -328,6 +329,27 @@ pub fn certify(
     let (text, machine) = (text.as_bytes(), reading.machine());
     let core = detached(py, || check::certify_text(text, machine, &reading.macros, &rules))?;
     Ok(Certificate { core })
+}
+
+/// Where the head is (mm), E's reading, whether E counts from the last move, the feed (mm/s), and
+/// whether moves that follow mean what they say.
+type ModesRow = (Point, f64, bool, f64, bool);
+
+/// What a text leaves behind for moves that follow it.
+///
+/// # Errors
+/// `SettingError` for a rule out of its bounds.
+#[pyfunction]
+pub fn modes_after(
+    py: Python<'_>,
+    text: &Bound<'_, PyBytes>,
+    rules: &Bound<'_, PyDict>,
+) -> PyResult<ModesRow> {
+    let (reading, _) = judging(rules)?;
+    let (text, machine) = (text.as_bytes(), reading.machine());
+    let found = py.detach(|| Modes::after(text, machine));
+    let at = found.at.into();
+    Ok((at, found.extruder, found.relative_extrusion, found.feed, found.plain))
 }
 
 /// What a file is read and judged by.

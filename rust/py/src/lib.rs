@@ -36,7 +36,7 @@ mod _core {
     #[pymodule_export]
     use super::carve::carve;
     #[pymodule_export]
-    use super::check::{Certificate, certify, coverage, deviation};
+    use super::check::{Certificate, certify, coverage, deviation, modes_after};
     #[pymodule_export]
     use super::estimate::{Estimate, estimate, estimate_files};
     #[pymodule_export]

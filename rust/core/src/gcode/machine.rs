@@ -15,6 +15,7 @@ use super::command::{Axes, Centre, Command, Plane, Words};
 use super::event::{Event, Step};
 use super::features::{Features, Remark};
 use super::homing::Homing;
+use super::modes::Modes;
 use super::reader::parse_line;
 use super::retraction::Retraction;
 
@@ -132,6 +133,22 @@ impl Machine {
     #[must_use]
     pub fn position(&self) -> DVec3 {
         self.position
+    }
+
+    /// What moves that followed would find.
+    #[must_use]
+    pub fn modes(&self) -> Modes {
+        let scales = [self.mm_per_unit, self.feed_factor, self.flow_factor];
+        Modes {
+            at: self.position,
+            extruder: self.extruder,
+            relative_extrusion: self.relative_extrusion,
+            feed: self.feed,
+            plain: !self.relative
+                && self.offset == DVec3::ZERO
+                && self.volumetric.is_none()
+                && scales == [1.0; 3],
+        }
     }
 
     /// Whether coordinates count from the last move (G91).

@@ -9,6 +9,7 @@ pub mod fixed;
 pub mod homing;
 pub mod lines;
 pub mod machine;
+pub mod modes;
 pub mod number;
 mod plain;
 pub mod progress;
