@@ -17,13 +17,13 @@ use crate::mesh::{size, weld};
 use crate::{CoreError, Result};
 
 /// Longest time that a cut may take, and some more for each facet: ten times what a sound one of a
-/// million facets takes. Facets that cross each other without end would take days.
+/// million facets takes. Shell that cross each other without end would take days.
 const PATIENCE: Duration = Duration::from_secs(5);
 const PATIENCE_PER_FACET: Duration = Duration::from_micros(20);
 
 /// Facets: positions, and indices of those that exist.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Facets {
+pub struct Shell {
     /// Positions, in any unit.
     pub vertices: Vec<DVec3>,
     /// Vertices of each facet, counter-clockwise seen from outside.
@@ -36,7 +36,7 @@ pub struct Facets {
 /// [`CoreError::Unreadable`] as the rest of a sentence that begins with the body, where it or a tool
 /// is not closed, or crosses itself so often that the cut takes too long; otherwise as
 /// [`weld::weld_facets`] and [`repair::repair`].
-pub fn carve(body: &Facets, tools: &[Facets], limits: Limits) -> Result<Facets> {
+pub fn carve(body: &Shell, tools: &[Shell], limits: Limits) -> Result<Shell> {
     let refused = |text: &str| CoreError::Unreadable(text.into());
     let all = tools.iter().map(|tool| tool.faces.len()).sum::<usize>() + body.faces.len();
     size::claim(all as u64)?;
@@ -62,14 +62,14 @@ pub fn carve(body: &Facets, tools: &[Facets], limits: Limits) -> Result<Facets> 
     let mesh = left.get_mesh_gl64(-1);
     let (vertices, _) = mesh.vert_properties.as_chunks::<3>();
     let (faces, _) = mesh.tri_verts.as_chunks::<3>();
-    Ok(Facets {
+    Ok(Shell {
         vertices: vertices.iter().map(|&place| place.into()).collect(),
         faces: faces.iter().map(|face| face.map(|v| v as u32)).collect(),
     })
 }
 
 /// Facets as a solid, if they are closed.
-fn solid(facets: &Facets, limits: Limits) -> Result<Manifold> {
+fn solid(facets: &Shell, limits: Limits) -> Result<Manifold> {
     let (vertices, faces) = weld::weld_facets(&facets.vertices, &facets.faces)?;
     let (mesh, _) = repair::repair(vertices, faces, limits)?;
     Ok(Manifold::from_mesh_gl64_robust(&MeshGL64 {
@@ -104,7 +104,7 @@ mod tests {
 
     const LIMITS: Limits = Limits { hole_perimeter: 0.1, weld_distance: 1e-5 };
 
-    fn cuboid(low: [f64; 3], high: [f64; 3]) -> Facets {
+    fn cuboid(low: [f64; 3], high: [f64; 3]) -> Shell {
         let corner = |i: usize| {
             let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
             DVec3::new(pick(0), pick(1), pick(2))
@@ -112,11 +112,11 @@ mod tests {
         let quads =
             [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let faces = quads.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-        Facets { vertices: (0..8).map(corner).collect(), faces }
+        Shell { vertices: (0..8).map(corner).collect(), faces }
     }
 
-    fn together(all: &[Facets]) -> Facets {
-        all.iter().fold(Facets::default(), |mut sum, one| {
+    fn together(all: &[Shell]) -> Shell {
+        all.iter().fold(Shell::default(), |mut sum, one| {
             let first = sum.vertices.len() as u32;
             sum.vertices.extend(&one.vertices);
             sum.faces.extend(one.faces.iter().map(|face| face.map(|v| v + first)));
@@ -124,7 +124,7 @@ mod tests {
         })
     }
 
-    fn volume(facets: &Facets) -> f64 {
+    fn volume(facets: &Shell) -> f64 {
         let sixfold = |face: &[u32; 3]| {
             let [a, b, c] = face.map(|v| facets.vertices[v as usize]);
             a.dot(b.cross(c))
@@ -139,7 +139,7 @@ mod tests {
             [cuboid([-5.0, -5.0, 15.0], [35.0, 35.0, 30.0]), cuboid([0.0; 3], [30.0, 10.0, 15.0])];
         let left = carve(&body, &tools, LIMITS).unwrap();
         assert!((volume(&left) - 20.0 * 30.0 * 15.0).abs() < 1e-9);
-        assert_eq!(carve(&left, &[body], LIMITS).unwrap(), Facets::default());
+        assert_eq!(carve(&left, &[body], LIMITS).unwrap(), Shell::default());
     }
 
     #[test]
@@ -169,7 +169,7 @@ mod tests {
         let solids = [solid(&body, LIMITS).unwrap(), solid(&tool, LIMITS).unwrap()];
         assert_eq!(without(&solids[0], &solids[1], Duration::MAX).status(), Error::NoError);
         // Hundreds of thousands of facets that cross each other take longer than no time at all.
-        let combs: Vec<Facets> = (0..3000)
+        let combs: Vec<Shell> = (0..3000)
             .map(|i| cuboid([f64::from(i), 0.0, 0.0], [f64::from(i) + 0.5, 1e3, 1e3]))
             .collect();
         let comb = solid(&together(&combs), LIMITS).unwrap();

@@ -14,13 +14,13 @@ pub struct Material {
     grid: Cells,
     cells: Vec<Vec<u32>>,
     filled: Vec<usize>,
-    strands: Vec<Laid>,
+    strands: Vec<Listed>,
     top: f64,
 }
 
 /// A strand, and the first column and row of the cells that list it.
 #[derive(Debug)]
-struct Laid {
+struct Listed {
     ends: [DVec3; 2],
     column: usize,
     row: usize,
@@ -60,7 +60,7 @@ impl Material {
         let (low, high) = (from.min(to).truncate(), from.max(to).truncate());
         let (columns, rows) = self.grid.span(low, high);
         let (column, row) = (*columns.start(), *rows.start());
-        self.strands.push(Laid { ends: [from, to], column, row });
+        self.strands.push(Listed { ends: [from, to], column, row });
         for row in rows {
             for column in columns.clone() {
                 let index = self.grid.number(column, row);

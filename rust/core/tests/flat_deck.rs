@@ -9,13 +9,13 @@ use wireprint_core::geometry::curve::segment_distance;
 use wireprint_core::geometry::polygon;
 use wireprint_core::wireframe::flat::bare::bare;
 use wireprint_core::wireframe::flat::deck::{Deck, deck};
-use wireprint_core::wireframe::flat::face::{Face, Limits, Wanted};
+use wireprint_core::wireframe::flat::face::{Face, LineLimits, Wanted};
 use wireprint_core::wireframe::flat::holds::Holds;
 
 const SPACING: f64 = 6.0;
 const SPAN: f64 = 65.0;
 const TOUCH: f64 = 0.2;
-const LIMITS: Limits = Limits { spacing: SPACING, span: SPAN, touch: TOUCH };
+const LIMITS: LineLimits = LineLimits { spacing: SPACING, span: SPAN, touch: TOUCH };
 
 fn star(reaches: &[f64], radius: f64, centre: DVec2) -> Vec<DVec2> {
     let step = std::f64::consts::TAU / reaches.len() as f64;

@@ -3,7 +3,7 @@
 #![expect(clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use proptest::prelude::*;
-use wireprint_core::gcode::command::{Axes, Centre, Command};
+use wireprint_core::gcode::command::{Axes, CentreWords, Command};
 use wireprint_core::gcode::number::decimal;
 use wireprint_core::gcode::reader::{Commands, parse_line, stream};
 
@@ -54,7 +54,7 @@ fn an_arc_keeps_its_centre_words() {
     };
     assert!(!clockwise);
     assert_eq!(axes, Axes { x: Some(1.0), e: Some(5.0), ..Axes::default() });
-    assert_eq!(centre, Centre { i: Some(2.0), j: Some(-3.0), k: None, r: Some(4.0) });
+    assert_eq!(centre, CentreWords { i: Some(2.0), j: Some(-3.0), k: None, r: Some(4.0) });
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use numpy::PyArray2;
 use pyo3::prelude::*;
-use wireprint_core::carve::{Facets, carve as cut};
+use wireprint_core::carve::{Shell, carve as cut};
 use wireprint_core::mesh::repair::Limits;
 
 use crate::arrays;
@@ -32,8 +32,8 @@ pub fn carve<'py>(
     Ok((arrays::points(py, &left.vertices)?, arrays::matrix(py, left.faces.into_flattened(), 3)?))
 }
 
-fn facets((vertices, faces): &Given<'_>) -> PyResult<Facets> {
-    Ok(Facets {
+fn facets((vertices, faces): &Given<'_>) -> PyResult<Shell> {
+    Ok(Shell {
         vertices: arrays::read_points("vertices", vertices)?,
         faces: arrays::read_faces(faces)?,
     })

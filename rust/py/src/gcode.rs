@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use wireprint_core::gcode::lines::{self, Dialect};
+use wireprint_core::gcode::lines::{self, CommandTexts};
 use wireprint_core::gcode::progress;
 use wireprint_core::gcode::template::Template;
 
@@ -28,13 +28,13 @@ pub fn format_moves<'py>(
     retract: String,
     unretract: String,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let dialect = Dialect {
+    let dialect = CommandTexts {
         relative_extrusion,
         prusa_words,
-        dwell: Template::new(dwell, &Dialect::DWELL_FIELDS).map_err(to_py)?,
+        dwell: Template::new(dwell, &CommandTexts::DWELL_FIELDS).map_err(to_py)?,
         air_on,
         air_off,
-        layer: Template::new(layer, &Dialect::LAYER_FIELDS).map_err(to_py)?,
+        layer: Template::new(layer, &CommandTexts::LAYER_FIELDS).map_err(to_py)?,
         retract,
         unretract,
     };

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::left_out::LeftOut;
 use super::patches::{Bare, Patch, patches};
 use super::samples::Pitch;
-use super::segments::Segments;
+use super::segments::SegmentGrid;
 use super::shells::{Probe, Shells};
 use super::survey::{Survey, Terms};
 use crate::mesh::Mesh;
@@ -71,7 +71,7 @@ impl Survey<'_> {
     /// The samples that no strand is near to.
     fn bare(&self, strands: &[[DVec3; 2]], within: f64) -> Vec<Bare> {
         let (low, high) = self.mesh.bounds();
-        let near = Segments::new(strands, low, high, within);
+        let near = SegmentGrid::new(strands, low, high, within);
         let count = self.mesh.faces.len();
         (0..count.div_ceil(BATCH))
             .into_par_iter()

@@ -11,7 +11,7 @@ const MOST_CELLS: f64 = 2e6;
 const SLACK_MM: f64 = 1e-9;
 
 /// Segments near a box, for queries of one distance.
-pub(super) struct Segments<'a> {
+pub(super) struct SegmentGrid<'a> {
     segments: &'a [[DVec3; 2]],
     within: f64,
     low: DVec3,
@@ -21,7 +21,7 @@ pub(super) struct Segments<'a> {
     entries: Vec<u32>,
 }
 
-impl<'a> Segments<'a> {
+impl<'a> SegmentGrid<'a> {
     /// Sorts segments for questions about points in the box `low`–`high` and distance `within`.
     pub(super) fn new(segments: &'a [[DVec3; 2]], low: DVec3, high: DVec3, within: f64) -> Self {
         let (low, extent) = (low - within, (high - low).max(DVec3::ZERO) + 2.0 * within);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::command::{Centre as CentreWords, Plane};
+use super::command::{CentreWords, Plane};
 
 /// Most chords that one arc may have, whatever its radius says: those of a circle 650 mm wide in
 /// pieces of a millimetre. The sagitta of as many chords is a millionth of the radius.

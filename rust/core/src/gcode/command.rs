@@ -37,7 +37,7 @@ impl Axes {
 
 /// How an arc states its centre; in the units of the file.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Centre {
+pub struct CentreWords {
     /// Centre relative to the start along X.
     pub i: Option<f64>,
     /// Centre relative to the start along Y.
@@ -80,7 +80,7 @@ pub enum Command<'a> {
         /// Its end, filament and feed.
         axes: Axes,
         /// Its centre.
-        centre: Centre,
+        centre: CentreWords,
         /// As in [`Command::Linear`].
         other: Option<u8>,
     },

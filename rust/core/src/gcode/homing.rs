@@ -59,8 +59,8 @@ impl Homing {
 
     /// Ends of the strokes that home the axes `named` from `from`; some may go nowhere.
     #[must_use]
-    pub fn strokes(&self, from: DVec3, named: [bool; 3]) -> Strokes {
-        let mut strokes = Strokes { ends: [from; STROKES], count: 0 };
+    pub fn strokes(&self, from: DVec3, named: [bool; 3]) -> HomingStrokes {
+        let mut strokes = HomingStrokes { ends: [from; STROKES], count: 0 };
         match self.way {
             Way::Delta { radius, arm } => {
                 strokes.go(from.with_z(self.first_end(from, radius, arm)));
@@ -113,12 +113,12 @@ impl Homing {
 
 /// Where the strokes of a homing end.
 #[derive(Debug, Clone, Copy)]
-pub struct Strokes {
+pub struct HomingStrokes {
     ends: [DVec3; STROKES],
     count: usize,
 }
 
-impl Strokes {
+impl HomingStrokes {
     fn go(&mut self, to: DVec3) {
         if let Some(end) = self.ends.get_mut(self.count) {
             *end = to;

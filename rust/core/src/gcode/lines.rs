@@ -1,6 +1,6 @@
 //! Stage 6: a toolpath becomes the lines of a G-code file.
 //!
-//! Everything that a firmware's dialect decides comes in as [`Dialect`]; this file only knows
+//! Everything that a firmware's dialect decides comes in as [`CommandTexts`]; this file only knows
 //! `G0`, `G1` and their words. Coordinates are rounded to 1 µm, filament to 10 nm *in sum*, so
 //! that millions of rounded feeds do not drift, and a word is left out where it would repeat.
 
@@ -21,7 +21,7 @@ const USUAL_LINE: usize = 40;
 
 /// The commands of a firmware, as text; an empty one is not written.
 #[derive(Debug, Clone, Default)]
-pub struct Dialect {
+pub struct CommandTexts {
     /// Whether E counts from the last move (M83) or from the start (M82).
     pub relative_extrusion: bool,
     /// Whether `;TYPE:` has PrusaSlicer's words; ours follow in a comment of their own.
@@ -40,10 +40,10 @@ pub struct Dialect {
     pub unretract: String,
 }
 
-impl Dialect {
-    /// The field of [`Dialect::dwell`].
+impl CommandTexts {
+    /// The field of [`CommandTexts::dwell`].
     pub const DWELL_FIELDS: [&str; 1] = ["ms"];
-    /// The fields of [`Dialect::layer`].
+    /// The fields of [`CommandTexts::layer`].
     pub const LAYER_FIELDS: [&str; 2] = ["z", "height"];
 }
 
@@ -51,7 +51,7 @@ impl Dialect {
 ///
 /// # Errors
 /// [`CoreError::Unprintable`] where a figure is not finite, or its array has another length.
-pub fn write(path: &Toolpath, dialect: &Dialect) -> Result<Vec<u8>> {
+pub fn write(path: &Toolpath, dialect: &CommandTexts) -> Result<Vec<u8>> {
     let layers = layers(path);
     let mut writer = Writer::new(dialect, path.to.len());
     let mut layer = layers.iter().peekable();
@@ -72,7 +72,7 @@ fn wrong(i: usize) -> CoreError {
 }
 
 /// One move in the units of the file.
-struct Step {
+struct RoundedMove {
     to: [i64; 3],
     kind: Kind,
     /// mm/min.
@@ -82,14 +82,14 @@ struct Step {
     air: bool,
 }
 
-fn step(path: &Toolpath, i: usize) -> Option<Step> {
+fn step(path: &Toolpath, i: usize) -> Option<RoundedMove> {
     let to = *path.to.get(i)?;
     let (speed, filament) = (*path.speed.get(i)?, *path.filament.get(i)?);
     let pause = *path.pause.get(i)?;
     let sound = to.is_finite()
         && to.abs().max_element() < FARTHEST
         && [speed, filament, pause].iter().all(|v| v.abs() < FARTHEST);
-    sound.then_some(Step {
+    sound.then_some(RoundedMove {
         to: to.to_array().map(|v| units(v, PLACE_DECIMALS)),
         kind: *path.kind.get(i)?,
         feedrate: units(speed * 60.0, 0).max(1),
@@ -128,7 +128,7 @@ fn is_strand(kind: Option<&Kind>) -> bool {
 }
 
 struct Writer<'a> {
-    dialect: &'a Dialect,
+    dialect: &'a CommandTexts,
     out: Vec<u8>,
     at: Option<[i64; 3]>,
     feedrate: Option<i64>,
@@ -141,7 +141,7 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(dialect: &'a Dialect, moves: usize) -> Self {
+    fn new(dialect: &'a CommandTexts, moves: usize) -> Self {
         Self {
             dialect,
             out: Vec::with_capacity(moves * USUAL_LINE),
@@ -154,7 +154,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn step(&mut self, m: &Step) {
+    fn step(&mut self, m: &RoundedMove) {
         self.announce(m.kind);
         self.switch_air(m.air);
         let firmware = match m.kind {
@@ -201,7 +201,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The move itself, where it moves or feeds anything.
-    fn line(&mut self, m: &Step) {
+    fn line(&mut self, m: &RoundedMove) {
         self.fed += m.filament;
         let fed_units = units(self.fed, FEED_DECIMALS);
         let feed = fed_units - self.fed_units;
@@ -246,14 +246,14 @@ fn units(value: f64, decimals: u32) -> i64 {
 mod tests {
     use super::*;
 
-    fn dialect() -> Dialect {
-        Dialect {
+    fn dialect() -> CommandTexts {
+        CommandTexts {
             relative_extrusion: true,
-            dwell: Template::new("G4 P{ms}\n", &Dialect::DWELL_FIELDS).unwrap(),
+            dwell: Template::new("G4 P{ms}\n", &CommandTexts::DWELL_FIELDS).unwrap(),
             air_on: "AIR ON\n".into(),
             air_off: "AIR OFF\n".into(),
-            layer: Template::new(";Z:{z} {height}\n", &Dialect::LAYER_FIELDS).unwrap(),
-            ..Dialect::default()
+            layer: Template::new(";Z:{z} {height}\n", &CommandTexts::LAYER_FIELDS).unwrap(),
+            ..CommandTexts::default()
         }
     }
 
@@ -278,7 +278,7 @@ mod tests {
         path
     }
 
-    fn text(path: &Toolpath, dialect: &Dialect) -> String {
+    fn text(path: &Toolpath, dialect: &CommandTexts) -> String {
         String::from_utf8(write(path, dialect).unwrap()).unwrap()
     }
 
@@ -292,7 +292,7 @@ mod tests {
 
     #[test]
     fn words_of_another_viewer_come_before_ours() {
-        let lines = text(&example(), &Dialect { prusa_words: true, ..dialect() });
+        let lines = text(&example(), &CommandTexts { prusa_words: true, ..dialect() });
         let ours = text(&example(), &dialect());
         assert!(lines.contains(";TYPE:External perimeter\n;KIND:CONTOUR\nG1"), "{lines}");
         assert!(lines.contains(";TYPE:Perimeter\n;KIND:POST\n"), "{lines}");
@@ -304,18 +304,19 @@ mod tests {
 
     #[test]
     fn absolute_extrusion_counts_from_the_start() {
-        let lines = text(&example(), &Dialect { relative_extrusion: false, ..dialect() });
+        let lines = text(&example(), &CommandTexts { relative_extrusion: false, ..dialect() });
         let fed: Vec<&str> = lines.split_whitespace().filter(|w| w.starts_with('E')).collect();
         assert_eq!(fed, ["E4.00000", "E5.60000", "E6.40000", "E2.40000"]);
     }
 
     #[test]
     fn firmware_retraction_replaces_e_and_leaves_the_count_alone() {
-        let firmware = Dialect { retract: "G10\n".into(), unretract: "G11\n".into(), ..dialect() };
+        let firmware =
+            CommandTexts { retract: "G10\n".into(), unretract: "G11\n".into(), ..dialect() };
         let lines = text(&example(), &firmware);
         assert!(lines.contains("F1800\nG11\n;TYPE"), "{lines}");
         assert!(lines.ends_with("G10\n"), "{lines}");
-        let absolute = Dialect { relative_extrusion: false, ..firmware };
+        let absolute = CommandTexts { relative_extrusion: false, ..firmware };
         assert!(text(&example(), &absolute).contains("E2.40000"));
     }
 

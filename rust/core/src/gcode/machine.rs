@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::arc::{self, Fineness};
-use super::command::{Axes, Centre, Command, Plane, Words};
+use super::command::{Axes, CentreWords, Command, Plane, Words};
 use super::event::{Event, Step};
 use super::features::{Features, Remark};
 use super::homing::Homing;
@@ -234,7 +234,7 @@ impl Machine {
         line: u64,
         clockwise: bool,
         axes: &Axes,
-        centre: Centre,
+        centre: CentreWords,
         report: &mut impl FnMut(Event<'a>),
     ) {
         self.set_feed(axes.f);

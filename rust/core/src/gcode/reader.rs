@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 
 use memchr::{memchr, memrchr};
 
-use super::command::{Axes, Centre, Command, Plane, Words};
+use super::command::{Axes, CentreWords, Command, Plane, Words};
 use super::number::{LARGEST, decimal};
 use super::plain::plain_move;
 use crate::error::Result;
@@ -316,7 +316,7 @@ impl<'a> Cursor<'a> {
 
     /// An arc; without a centre it is none.
     fn arc(&mut self, clockwise: bool) -> Option<Command<'a>> {
-        let (mut axes, mut centre, mut other) = (Axes::default(), Centre::default(), None);
+        let (mut axes, mut centre, mut other) = (Axes::default(), CentreWords::default(), None);
         self.each_word(|letter, value| match letter {
             b'I' => centre.i = Some(value),
             b'J' => centre.j = Some(value),
@@ -326,7 +326,12 @@ impl<'a> Cursor<'a> {
             _ => other = other.or(Some(letter)),
         })?;
         let other = self.other(other);
-        (centre != Centre::default()).then_some(Command::Arc { clockwise, axes, centre, other })
+        (centre != CentreWords::default()).then_some(Command::Arc {
+            clockwise,
+            axes,
+            centre,
+            other,
+        })
     }
 
     fn tool(&mut self) -> Option<Command<'a>> {

@@ -55,7 +55,7 @@ pub(super) fn deepen(sweep: &Sweep, on: &Rectangle, bottom: f64, worst: &mut Hit
         let at = base - c.x * tip + c.y * strand;
         [half.x - at.x, half.x + at.x, half.y - at.y, half.y + at.y]
     };
-    let mut polygon = Polygon::unit_square();
+    let mut polygon = ConvexPolygon::unit_square();
     for side in 0..4 {
         polygon.cut(|c| inside(c)[side]);
     }
@@ -66,12 +66,12 @@ pub(super) fn deepen(sweep: &Sweep, on: &Rectangle, bottom: f64, worst: &mut Hit
 }
 
 /// A convex polygon of few corners, in order.
-struct Polygon {
+struct ConvexPolygon {
     corners: [DVec2; MOST_CORNERS],
     count: usize,
 }
 
-impl Polygon {
+impl ConvexPolygon {
     fn unit_square() -> Self {
         let mut square = Self { corners: [DVec2::ZERO; MOST_CORNERS], count: 0 };
         for corner in [dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(1.0, 1.0), dvec2(0.0, 1.0)] {
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn a_square_cut_by_lines_keeps_what_is_inside() {
-        let mut polygon = Polygon::unit_square();
+        let mut polygon = ConvexPolygon::unit_square();
         polygon.cut(|c| 0.5 - c.x);
         polygon.cut(|c| c.y - 0.25);
         let corners = polygon.corners();

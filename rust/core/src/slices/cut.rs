@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::outlines::Loop;
 use super::plane::Plane;
-use super::ranks::Ladder;
+use super::ranks::Ranks;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// The corner, or edge, after each one of a triangle.
@@ -42,7 +42,7 @@ where
     T: Clone + Send,
     F: Fn(Vec<Loop>) -> T + Sync,
 {
-    let ladder = Ladder::new(planes);
+    let ladder = Ranks::new(planes);
     let ranks = ladder.ranks(&mesh.vertices);
     let wanted = ladder.planes.len().div_ceil(BANDS_PER_THREAD * rayon::current_num_threads());
     let width = wanted.next_power_of_two().clamp(1, BAND);

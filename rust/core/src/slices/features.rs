@@ -234,7 +234,7 @@ fn saddles(mesh: &Mesh, order: &Order) -> Vec<u32> {
 
 /// Horizontal faces that lie at one height.
 #[derive(Clone, Copy)]
-struct Level {
+struct FlatFaces {
     /// Area, mm².
     area: f64,
     /// Length of the edges beyond which the surface is not horizontal, mm.
@@ -247,13 +247,13 @@ struct Level {
 /// Heights of horizontal faces whose area comes to at least `least` mm².
 fn flats(mesh: &Mesh, least: f64) -> Vec<Feature> {
     // By rounded height; ordered, so that the outcome is too.
-    let mut by_height: BTreeMap<i64, Level> = BTreeMap::new();
+    let mut by_height: BTreeMap<i64, FlatFaces> = BTreeMap::new();
     for face in 0..mesh.faces.len() {
         let Some(area) = horizontal_area(mesh, face) else { continue };
         let corners = mesh.corners(face);
         let z = corners.map(|corner| corner.z);
         let key = ((z[0] + z[1] + z[2]) / (3.0 * FLAT_STEP)).round() as i64;
-        let none = Level { area: 0.0, edges: 0.0, low: f64::INFINITY, high: f64::NEG_INFINITY };
+        let none = FlatFaces { area: 0.0, edges: 0.0, low: f64::INFINITY, high: f64::NEG_INFINITY };
         let level = by_height.entry(key).or_insert(none);
         level.area += area;
         level.low = level.low.min(z[0].min(z[1]).min(z[2]));
@@ -264,7 +264,7 @@ fn flats(mesh: &Mesh, least: f64) -> Vec<Feature> {
             }
         }
     }
-    let feature = |flat: Level| Feature {
+    let feature = |flat: FlatFaces| Feature {
         low: flat.low,
         high: flat.high,
         kind: FeatureKind::Flat,

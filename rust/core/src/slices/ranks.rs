@@ -9,7 +9,7 @@ use super::plane::{Plane, Side};
 const CELLS_PER_PLANE: usize = 4;
 
 /// The distinct planes in the order of a sweep upwards.
-pub(super) struct Ladder {
+pub(super) struct Ranks {
     /// Distinct planes, sorted by height, then side.
     pub planes: Vec<Plane>,
     /// For each plane asked for, its index in `planes`.
@@ -18,7 +18,7 @@ pub(super) struct Ladder {
     cells_per_mm: f64,
 }
 
-impl Ladder {
+impl Ranks {
     /// Sorts the planes and drops repetitions.
     pub fn new(asked: &[Plane]) -> Self {
         let mut order: Vec<usize> = (0..asked.len()).collect();

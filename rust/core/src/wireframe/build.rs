@@ -30,7 +30,7 @@ const VAIN: usize = 2;
 
 /// What a pass goes by.
 #[derive(Clone, Copy)]
-struct Plan<'a> {
+struct PassInput<'a> {
     layered: &'a Layered,
     /// Strands that stand before the print begins.
     standing: &'a [[DVec3; 2]],
@@ -41,13 +41,13 @@ struct Plan<'a> {
 }
 
 /// What a pass comes to.
-struct Laid {
+struct Pass {
     entries: Entries,
     /// Number of slabs that another order might improve.
     wanting: usize,
 }
 
-impl Laid {
+impl Pass {
     /// Whether it leaves out less than another, or costs less and does not take longer.
     fn is_better(&self, other: &Self, p: &WireParams) -> bool {
         let cost = |laid: &Self| cost(None, &laid.entries, p.strand, &p.times);
@@ -75,12 +75,12 @@ pub fn build_beside(
     p: &WireParams,
 ) -> Wireframe {
     let none = Layered::default();
-    let plan = Plan { layered: &none, standing, head, p, searching: false };
+    let plan = PassInput { layered: &none, standing, head, p, searching: false };
     let nothing = Guide::default();
     let free = [&nothing; 2];
     let mut found = settled(&sliced, &plan, free);
     if found.last.wanting > 0 && found.last.wanting >= sliced.strips.len() / FEW {
-        let searched = settled(&sliced, &Plan { searching: true, ..plan }, free);
+        let searched = settled(&sliced, &PassInput { searching: true, ..plan }, free);
         if searched.last.is_better(&found.last, p) {
             found = searched;
         }
@@ -89,7 +89,7 @@ pub fn build_beside(
         let last = Guide::new(&found.last.entries.posts, found.last.entries.spokes);
         let first = found.first.map(|first| Guide::new(&first.entries.posts, first.entries.spokes));
         let guides = [first.as_ref().unwrap_or(&last), &last];
-        found = settled(&sliced, &Plan { layered, ..plan }, guides);
+        found = settled(&sliced, &PassInput { layered, ..plan }, guides);
     }
     let sliced = found.propped.unwrap_or(sliced);
     let Entries { posts, strands, unprinted, .. } = found.last.entries;
@@ -101,13 +101,13 @@ struct Settled {
     /// The slices with supports, if the first pass found that they are needed.
     propped: Option<Sliced>,
     /// That pass, and the last one.
-    first: Option<Laid>,
-    last: Laid,
+    first: Option<Pass>,
+    last: Pass,
 }
 
 /// Lays the strands; further passes add supports where those before found that they are needed. The
 /// first one goes by a guide of its own.
-fn settled(sliced: &Sliced, plan: &Plan, guides: [&Guide; 2]) -> Settled {
+fn settled(sliced: &Sliced, plan: &PassInput, guides: [&Guide; 2]) -> Settled {
     let mut last = lay(sliced, plan, guides[0], plan.p.supports);
     let (mut propped, mut first) = (None, None);
     let mut vain = 0;
@@ -135,8 +135,8 @@ fn settled(sliced: &Sliced, plan: &Plan, guides: [&Guide; 2]) -> Settled {
 }
 
 /// One pass over all slabs, bottom up; `columns` tells whether what wants some is left to the next.
-fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide, columns: bool) -> Laid {
-    let &Plan { layered, standing, head, p, searching } = plan;
+fn lay(sliced: &Sliced, plan: &PassInput, guide: &Guide, columns: bool) -> Pass {
+    let &PassInput { layered, standing, head, p, searching } = plan;
     let (low, high) = sliced.plan();
     let tallest = sliced.levels.windows(2).map(|l| l[1].z - l[0].z).fold(p.strand, f64::max);
     let tops = Tops::new(sliced, layered, head);
@@ -157,7 +157,7 @@ fn lay(sliced: &Sliced, plan: &Plan, guide: &Guide, columns: bool) -> Laid {
             ground = transition(&cx, &mut journal, number + 1, laid.printed);
         }
     });
-    Laid { entries: journal.into_entries(), wanting }
+    Pass { entries: journal.into_entries(), wanting }
 }
 
 #[cfg(test)]

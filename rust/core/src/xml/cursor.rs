@@ -18,7 +18,8 @@ impl Stop {
     }
 }
 
-type Read<T> = Result<T, Stop>;
+/// What was read, or why reading stops.
+pub type Read<T> = Result<T, Stop>;
 
 /// A place in a text.
 pub struct Cursor<'a> {

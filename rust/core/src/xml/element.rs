@@ -2,12 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::cursor::{Cursor, Stop, shown};
+use super::cursor::{Cursor, Read, Stop, shown};
 use super::limits::MOST_ATTRIBUTES;
 use super::spaces::Spaces;
 use super::text::{check_references, plain, same};
-
-type Read<T> = Result<T, Stop>;
 
 /// An element that begins.
 pub struct Element<'a> {

@@ -1,10 +1,8 @@
 //! What is no element: declarations, instructions, comments, sections; document types are refused.
 
-use super::cursor::{Cursor, Stop, shown};
+use super::cursor::{Cursor, Read, Stop, shown};
 use super::decode::Decoder;
 use super::element::attribute;
-
-type Read<T> = Result<T, Stop>;
 
 /// Passes over an instruction after its `<`; the declaration of XML looks like one.
 pub fn instruction(cursor: &mut Cursor<'_>, begun: bool, decoder: &Decoder) -> Read<()> {

@@ -6,7 +6,7 @@ use wireprint_core::strand::Kind;
 use wireprint_core::wireframe::place::posts::{Post, reachable};
 use wireprint_core::wireframe::place::rim::Rim;
 use wireprint_core::wireframe::place::walls::Walls;
-use wireprint_core::wireframe::place::zigzag::{Placement, Step, ZigzagInput, zigzag};
+use wireprint_core::wireframe::place::zigzag::{Placement, ZigzagInput, ZigzagStep, zigzag};
 
 use crate::printer::{Print, Printer};
 use crate::rules::{Figures, breaches, figures};
@@ -108,7 +108,7 @@ fn comb(teeth: usize, wide: f64, gap: f64, long: f64) -> Curve {
     Curve::new(&points, true).unwrap()
 }
 
-fn steps_of(curve: &Curve, height: f64, placement: Placement, start: f64) -> Vec<Step> {
+fn steps_of(curve: &Curve, height: f64, placement: Placement, start: f64) -> Vec<ZigzagStep> {
     let printer = Printer::paper();
     let points = curve.points().iter().map(|p| p.extend(0.0));
     let points = points.take(curve.points().len() - usize::from(curve.is_closed())).collect();

@@ -32,7 +32,7 @@ fn the_better_of_two_builds_is_kept() {
     for _ in 0..24 {
         let sliced = printer.slice(&crowd(&mut random));
         let build_as = |searching: bool| {
-            let plan = Plan { layered: &none, standing: &[], head: &head, p: &p, searching };
+            let plan = PassInput { layered: &none, standing: &[], head: &head, p: &p, searching };
             settled(&sliced, &plan, [&nothing; 2]).last
         };
         let (plain, searched) = (build_as(false), build_as(true));
@@ -41,7 +41,7 @@ fn the_better_of_two_builds_is_kept() {
             && searched.is_better(&plain, &p)
         {
             improved += 1;
-            let cost = |laid: &Laid| cost(None, &laid.entries, p.strand, &p.times);
+            let cost = |laid: &Pass| cost(None, &laid.entries, p.strand, &p.times);
             let (before, after) = (cost(&plain), cost(&searched));
             assert!(after.area < before.area || after.whole < before.whole);
             &searched
@@ -70,8 +70,13 @@ fn passes_add_supports_while_the_one_before_leaves_something_out() {
     let sliced = printer.slice(&hall());
     let found = |supports: bool| {
         let p = WireParams { supports, ..printer.wire };
-        let plan =
-            Plan { layered: &none, standing: &[], head: &printer.head, p: &p, searching: false };
+        let plan = PassInput {
+            layered: &none,
+            standing: &[],
+            head: &printer.head,
+            p: &p,
+            searching: false,
+        };
         settled(&sliced, &plan, [&nothing; 2])
     };
     let plain = found(false);
@@ -83,7 +88,7 @@ fn passes_add_supports_while_the_one_before_leaves_something_out() {
     let first = propped.first.unwrap();
     assert!(!first.entries.columns.is_empty());
     assert!(propped.last.entries.unprinted.is_empty(), "{:?}", propped.last.entries.unprinted);
-    let supports = |laid: &Laid| {
+    let supports = |laid: &Pass| {
         laid.entries.strands.iter().filter(|s| s.kind == crate::strand::Kind::Support).count()
     };
     assert!(supports(&propped.last) > supports(&first));
@@ -97,7 +102,7 @@ fn passes_add_supports_while_the_one_before_leaves_something_out() {
 fn what_wants_no_support_is_laid_once() {
     let (none, printer) = (Layered::default(), Printer::paper());
     let sliced = printer.slice(&cuboid(DVec3::ZERO, DVec3::splat(24.0)));
-    let plan = Plan {
+    let plan = PassInput {
         layered: &none,
         standing: &[],
         head: &printer.head,

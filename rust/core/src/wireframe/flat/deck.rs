@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use crate::geometry::hatch::{Row, between, extent, join, lines, middles};
-use crate::wireframe::flat::face::{Face, Limits, Wanted};
+use crate::wireframe::flat::face::{Face, LineLimits, Wanted};
 use crate::wireframe::flat::joists::{Gap, Joists, joists};
 
 /// Directions tried for the lines.
@@ -91,7 +91,7 @@ struct Plan {
 }
 
 impl Plan {
-    fn new(face: &Face, limits: &Limits, along: DVec2) -> Self {
+    fn new(face: &Face, limits: &LineLimits, along: DVec2) -> Self {
         let rows = rows(face, limits, along);
         let (mut longest, mut gaps) = (0.0_f64, Vec::new());
         for line in rows.iter().flatten() {
@@ -115,7 +115,7 @@ impl Plan {
     }
 
     /// Whether no line spans too much over some joists.
-    fn is_spanned(&self, face: &Face, limits: &Limits, joists: &[Vec<DVec2>]) -> bool {
+    fn is_spanned(&self, face: &Face, limits: &LineLimits, joists: &[Vec<DVec2>]) -> bool {
         let holds = face.holds.with(joists);
         let face = Face { holds: &holds, ..*face };
         self.rows.iter().flatten().all(|line| {
@@ -138,7 +138,7 @@ impl Plan {
         }
     }
 
-    fn finish(mut self, face: &Face, limits: &Limits) -> Deck {
+    fn finish(mut self, face: &Face, limits: &LineLimits) -> Deck {
         if !self.carried.lines.is_empty() {
             let holds = face.holds.with(&self.carried.lines);
             let face = Face { holds: &holds, ..*face };
@@ -165,7 +165,7 @@ impl Plan {
 
 /// Plans the strands of a face.
 #[must_use]
-pub fn deck(face: &Face, limits: &Limits) -> Deck {
+pub fn deck(face: &Face, limits: &LineLimits) -> Deck {
     let along = |i: usize| DVec2::from_angle(std::f64::consts::PI * i as f64 / DIRECTIONS as f64);
     let plans = (0..DIRECTIONS).map(|i| Plan::new(face, limits, along(i)));
     let best = plans.reduce(|best, next| if next.is_better(&best) { next } else { best });
@@ -173,7 +173,7 @@ pub fn deck(face: &Face, limits: &Limits) -> Deck {
 }
 
 /// The wanted lines of each row.
-fn rows(face: &Face, limits: &Limits, along: DVec2) -> Vec<Vec<Line>> {
+fn rows(face: &Face, limits: &LineLimits, along: DVec2) -> Vec<Vec<Line>> {
     let across = along.perp();
     let figure = if let Wanted::Under(figure) = face.wanted { Some(figure) } else { None };
     let reach = |direction: DVec2| match figure {
@@ -241,7 +241,7 @@ fn near(rows: &[Row], along: DVec2, levels: &[f64], places: &[DVec2]) -> Parts {
 }
 
 /// Where a line is held.
-fn stops(face: &Face, ends: [DVec2; 2], limits: &Limits) -> Vec<f64> {
+fn stops(face: &Face, ends: [DVec2; 2], limits: &LineLimits) -> Vec<f64> {
     let length = ends[0].distance(ends[1]);
     if face.whole && length <= limits.span && !matches!(face.wanted, Wanted::Near(_)) {
         return vec![0.0, length];

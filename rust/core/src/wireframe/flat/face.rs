@@ -32,7 +32,7 @@ pub enum Wanted<'a> {
 
 /// What lines of a face may be; lengths in mm.
 #[derive(Debug, Clone, Copy)]
-pub struct Limits {
+pub struct LineLimits {
     /// Distance between lines.
     pub spacing: f64,
     /// Longest stretch between two holds; infinite on the bed.

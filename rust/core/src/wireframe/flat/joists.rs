@@ -8,7 +8,7 @@ use glam::DVec2;
 use crate::geometry::curve::Curve;
 use crate::geometry::hatch::{extent, lines};
 use crate::geometry::polygon;
-use crate::wireframe::flat::face::{Face, Limits};
+use crate::wireframe::flat::face::{Face, LineLimits};
 
 /// Joists and columns divide what is wide into parts of at most this much of the longest span.
 const SHARE: f64 = 0.95;
@@ -38,7 +38,7 @@ pub struct Joists {
 /// Joists across the gaps of lines that run `along` a direction: as few as span them, and so many
 /// `more`.
 #[must_use]
-pub fn joists(face: &Face, limits: &Limits, along: DVec2, gaps: &[Gap], more: usize) -> Joists {
+pub fn joists(face: &Face, limits: &LineLimits, along: DVec2, gaps: &[Gap], more: usize) -> Joists {
     let mut found = Joists::default();
     let (low, high) = extent(gaps.iter().flat_map(|gap| gap.ends));
     let count = ((high - low) / (SHARE * limits.span)).ceil().max(1.0) + more as f64;
@@ -64,7 +64,7 @@ pub fn joists(face: &Face, limits: &Limits, along: DVec2, gaps: &[Gap], more: us
 
 /// The line by way of columns within `reach` mm of it that wants the fewest further ones; of equals
 /// the one with the fewest bends, then the least bent one.
-fn over_columns(face: &Face, limits: &Limits, ends: [DVec2; 2], reach: f64) -> Vec<DVec2> {
+fn over_columns(face: &Face, limits: &LineLimits, ends: [DVec2; 2], reach: f64) -> Vec<DVec2> {
     let [from, to] = ends;
     let way = (to - from).normalize_or_zero();
     let off = |top: DVec2| (top - from).perp_dot(way).abs();
@@ -100,7 +100,7 @@ fn over_columns(face: &Face, limits: &Limits, ends: [DVec2; 2], reach: f64) -> V
 }
 
 /// How many columns a straight piece of a joist wants.
-fn missing(face: &Face, limits: &Limits, ends: [DVec2; 2]) -> usize {
+fn missing(face: &Face, limits: &LineLimits, ends: [DVec2; 2]) -> usize {
     let length = ends[0].distance(ends[1]);
     let mut stops = face.holds.stops(&ends, limits.touch);
     stops.insert(0, 0.0);
@@ -110,7 +110,7 @@ fn missing(face: &Face, limits: &Limits, ends: [DVec2; 2]) -> usize {
 }
 
 /// Into how many parts a stretch is divided, so that none spans too much.
-fn parts(gap: f64, limits: &Limits) -> usize {
+fn parts(gap: f64, limits: &LineLimits) -> usize {
     if gap <= limits.span { 1 } else { (gap / (SHARE * limits.span)).ceil() as usize }
 }
 
@@ -118,7 +118,7 @@ fn parts(gap: f64, limits: &Limits) -> usize {
 fn carry(
     found: &mut Joists,
     face: &Face,
-    limits: &Limits,
+    limits: &LineLimits,
     line: &[DVec2],
     (low, high): (f64, f64),
     way: DVec2,

@@ -12,13 +12,13 @@ use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::ring::{Course, ring_through};
 use crate::wireframe::place::rim::Rim;
-use crate::wireframe::plan::sliced::Step;
+use crate::wireframe::plan::sliced::LevelStep;
 
 /// A contour printed on the bed follows the model to this, mm.
 const BED_FOLLOW: f64 = 0.05;
 
 /// The first contours, pressed onto the bed, and the floors within them.
-pub fn on_bed(cx: &Context, journal: &mut Journal, first: &Step) -> Ground {
+pub fn on_bed(cx: &Context, journal: &mut Journal, first: &LevelStep) -> Ground {
     journal.begin_slab(0, &[]);
     let z = cx.sliced.levels[0].z;
     let contours = first.contours;

@@ -8,7 +8,7 @@ use crate::geometry::polygon;
 use crate::strand::Kind;
 use crate::wireframe::flat::face::Wanted;
 use crate::wireframe::lay::context::Context;
-use crate::wireframe::lay::decks::Place;
+use crate::wireframe::lay::decks::LevelFace;
 use crate::wireframe::lay::ground::{Ground, places};
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::place::rim::{Footing, Rim};
@@ -43,7 +43,7 @@ pub fn carry(
         return Carried::default();
     }
     let rings = printed.rings();
-    let Some(place) = Place::new(cx, journal, level, &rings) else { return Carried::default() };
+    let Some(place) = LevelFace::new(cx, journal, level, &rings) else { return Carried::default() };
     let lies_within = |p: &&DVec2| polygon::is_within(place.plan.iter().map(Vec::as_slice), **p);
     if figure.iter().find(lies_within).is_none() {
         return Carried::default();

@@ -34,7 +34,7 @@ pub fn coil(
     job: &Job,
     ground: &Ground,
 ) -> Option<Rim> {
-    let wall = Wall::new(cx, journal, top, job, ground)?;
+    let wall = CoiledWall::new(cx, journal, top, job, ground)?;
     let laps = wall.laps();
     let (first, last) = (laps.first()?, laps.last()?);
     let is_clear =
@@ -51,7 +51,7 @@ pub fn coil(
 }
 
 /// A wall between a printed ring and the contour above it.
-struct Wall<'a> {
+struct CoiledWall<'a> {
     lower: Curve,
     upper: &'a Curve,
     /// Arc lengths at which both begin, mm.
@@ -63,7 +63,7 @@ struct Wall<'a> {
     turns: usize,
 }
 
-impl<'a> Wall<'a> {
+impl<'a> CoiledWall<'a> {
     /// The wall of a job, if it is worth a coil.
     fn new(
         cx: &Context,

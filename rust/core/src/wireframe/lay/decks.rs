@@ -6,7 +6,7 @@ use crate::geometry::nearest_first::bounds;
 use crate::geometry::polygon;
 use crate::strand::{Kind, Strand};
 use crate::wireframe::flat::deck::{Deck, deck};
-use crate::wireframe::flat::face::{Face, Limits, Wanted};
+use crate::wireframe::flat::face::{Face, LineLimits, Wanted};
 use crate::wireframe::flat::holds::Holds;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::journal::Journal;
@@ -22,7 +22,7 @@ const OVER: f64 = 0.2;
 const LEAST: f64 = 2.0;
 
 /// A face at some level, within an odd number of printed rims.
-pub struct Place<'a> {
+pub struct LevelFace<'a> {
     /// The level.
     pub level: usize,
     /// Its height, mm.
@@ -37,7 +37,7 @@ pub struct Place<'a> {
     pub surface: Holds,
 }
 
-impl<'a> Place<'a> {
+impl<'a> LevelFace<'a> {
     /// The face within some rims, those of which count that enclose something; at the height of the
     /// first one. None without any.
     pub fn new(cx: &Context, journal: &Journal, level: usize, rings: &[&'a Rim]) -> Option<Self> {
@@ -65,7 +65,7 @@ impl<'a> Place<'a> {
         let whole = self.rings.iter().all(|rim| rim.gaps.is_empty());
         let face = Face { rings: &self.plan, whole, holds: &self.holds, tops: &tops, wanted };
         let span = if self.level == 0 { f64::INFINITY } else { cx.p.span_limit };
-        deck(&face, &Limits { spacing, span, touch: HELD * cx.p.strand })
+        deck(&face, &LineLimits { spacing, span, touch: HELD * cx.p.strand })
     }
 
     /// Whether all of a deck can be printed once its columns stand, which are asked for.

@@ -10,11 +10,11 @@ use crate::wireframe::flat::bare::bare;
 use crate::wireframe::flat::face::Wanted;
 use crate::wireframe::frame::Reason;
 use crate::wireframe::lay::context::Context;
-use crate::wireframe::lay::decks::Place;
+use crate::wireframe::lay::decks::LevelFace;
 use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::place::rim::Rim;
-use crate::wireframe::plan::sliced::Step;
+use crate::wireframe::plan::sliced::LevelStep;
 use crate::wireframe::plan::strips::Strip;
 
 /// Faces this near to a level lie in it, mm.
@@ -51,7 +51,7 @@ pub fn close(
         return;
     }
     let rings: Vec<&Rim> = which.iter().filter_map(|&i| ground.rims[i as usize].as_ref()).collect();
-    let Some(place) = Place::new(cx, journal, level, &rings) else { return };
+    let Some(place) = LevelFace::new(cx, journal, level, &rings) else { return };
     let inside = place.inside(cx.p.strand);
     let lines = match inside.strands() {
         [] => fill(cx, journal, &place, Wanted::All),
@@ -67,7 +67,7 @@ pub fn close(
 pub fn fill_ledge(
     cx: &Context,
     journal: &mut Journal,
-    step: &Step,
+    step: &LevelStep,
     ledge: &Strip,
     printed: &mut Ground,
     ground: &Ground,
@@ -80,14 +80,14 @@ pub fn fill_ledge(
     let Some(rings) = below.chain(above).map(Option::as_ref).collect::<Option<Vec<&Rim>>>() else {
         return;
     };
-    let Some(place) = Place::new(cx, journal, step.level, &rings) else { return };
+    let Some(place) = LevelFace::new(cx, journal, step.level, &rings) else { return };
     let (places, area) = bare(&place.plan, &place.surface, BARE * cx.p.cap_spacing);
     let lines = fill_bare(cx, journal, &place, &places, area);
     printed.lines.extend(lines);
 }
 
 /// Whether a ledge is a face all over: of an open surface, it may be no more than a rim.
-fn spans(step: &Step, ledge: &Strip) -> bool {
+fn spans(step: &LevelStep, ledge: &Strip) -> bool {
     let net = |contours: &[Contour], which: &[u32]| -> f64 {
         which.iter().map(|&i| contours[i as usize].area).sum()
     };
@@ -99,7 +99,7 @@ fn spans(step: &Step, ledge: &Strip) -> bool {
 fn fill_bare(
     cx: &Context,
     journal: &mut Journal,
-    place: &Place,
+    place: &LevelFace,
     places: &[DVec2],
     area: f64,
 ) -> Vec<Rim> {
@@ -110,7 +110,7 @@ fn fill_bare(
 }
 
 /// Prints strands from rim to rim; what is too wide for them is noted.
-fn fill(cx: &Context, journal: &mut Journal, place: &Place, wanted: Wanted) -> Vec<Rim> {
+fn fill(cx: &Context, journal: &mut Journal, place: &LevelFace, wanted: Wanted) -> Vec<Rim> {
     let (spacing, kind) = lid(cx, &place.plan, place.level);
     let deck = place.deck(cx, wanted, spacing);
     place.wants_columns(cx, journal, &deck);

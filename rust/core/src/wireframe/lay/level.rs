@@ -16,7 +16,7 @@ use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::on_layers::{are_layers, is_on_layers, is_within};
 use crate::wireframe::lay::ties::{Flat, LEDGE, spokes, tighten, wide_gap};
 use crate::wireframe::place::rim::{Footing, Rim};
-use crate::wireframe::plan::sliced::Step;
+use crate::wireframe::plan::sliced::LevelStep;
 use crate::wireframe::plan::strips::Strip;
 use crate::wireframe::regions::layered::closed_rim;
 
@@ -32,8 +32,8 @@ pub fn transition(cx: &Context, journal: &mut Journal, level: usize, printed: Gr
 }
 
 /// Prints one slice upon another.
-fn on_top(cx: &Context, journal: &mut Journal, step: &Step, mut printed: Ground) -> Ground {
-    let &Step { level, contours, ledges, below, .. } = step;
+fn on_top(cx: &Context, journal: &mut Journal, step: &LevelStep, mut printed: Ground) -> Ground {
+    let &LevelStep { level, contours, ledges, below, .. } = step;
     let z = height(cx, step);
     let mut ground = Ground { rims: vec![None; contours.len()], lines: Vec::new() };
     printed.keep_tops(below);
@@ -76,13 +76,13 @@ fn on_top(cx: &Context, journal: &mut Journal, step: &Step, mut printed: Ground)
 
 /// Height at which a step prints what nothing below carries, mm; what is printed on top of
 /// something lies a [`LIFT`] higher.
-fn height(cx: &Context, step: &Step) -> f64 {
+fn height(cx: &Context, step: &LevelStep) -> f64 {
     let below = step.number.saturating_sub(usize::from(step.level == 0));
     cx.sliced.levels[step.level].z + below as f64 * LIFT * cx.p.strand
 }
 
 /// Whether contours of the slice below are layers all around.
-fn is_layered(cx: &Context, step: &Step, lower: &[u32]) -> bool {
+fn is_layered(cx: &Context, step: &LevelStep, lower: &[u32]) -> bool {
     step.number == 0 && are_layers(cx, step.level, lower)
 }
 
@@ -90,7 +90,7 @@ fn is_layered(cx: &Context, step: &Step, lower: &[u32]) -> bool {
 fn carried(
     cx: &Context,
     journal: &mut Journal,
-    step: &Step,
+    step: &LevelStep,
     ledge: &Strip,
     curves: &[(usize, Curve)],
     printed: &mut Ground,
@@ -121,13 +121,13 @@ fn carriers<'a>(ledge: &Strip, printed: &'a Ground) -> Vec<&'a Rim> {
 fn rise(
     cx: &Context,
     journal: &mut Journal,
-    step: &Step,
+    step: &LevelStep,
     ledge: &Strip,
     (u, curve): (usize, &Curve),
     carried: &Carried,
     printed: &mut Ground,
 ) -> Option<Rim> {
-    let &Step { level, contours, .. } = step;
+    let &LevelStep { level, contours, .. } = step;
     let (contour, z) = (&contours[u], height(cx, step));
     let lifted = z + LIFT * cx.p.strand;
     let own: Vec<&Rim> =

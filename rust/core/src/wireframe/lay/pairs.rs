@@ -18,7 +18,7 @@ use crate::wireframe::params::Pattern;
 use crate::wireframe::place::posts::{Post, candidates};
 use crate::wireframe::place::rim::Rim;
 use crate::wireframe::place::weave::{Place, WeaveParams, weave};
-use crate::wireframe::place::zigzag::{Placement, SLACK, SPARE, Step};
+use crate::wireframe::place::zigzag::{Placement, SLACK, SPARE, ZigzagStep};
 
 /// Two contours are one double wall where this share of each is near the other.
 const SHARE: f64 = 0.5;
@@ -131,8 +131,8 @@ pub fn woven(
     if way.is_empty() {
         return None;
     }
-    let steps: Vec<Step> =
-        way.iter().map(|&i| Step { post: places[i].candidate.post, linked: true }).collect();
+    let steps: Vec<ZigzagStep> =
+        way.iter().map(|&i| ZigzagStep { post: places[i].candidate.post, linked: true }).collect();
     let stand = zigzag_strokes(journal, &steps, Kind::Post, Kind::Diagonal, cx.p.span_limit);
     Some([0, 1].map(|number| {
         let Wall { job, curve, begin, .. } = walls[number];

@@ -18,7 +18,7 @@ use crate::wireframe::place::gaps::gaps;
 use crate::wireframe::place::guide::Kept;
 use crate::wireframe::place::posts::Post;
 use crate::wireframe::place::rim::{Footing, Rim};
-use crate::wireframe::place::zigzag::{Step, ZigzagInput, zigzag};
+use crate::wireframe::place::zigzag::{ZigzagInput, ZigzagStep, zigzag};
 use crate::wireframe::regions::layered::Piece;
 
 /// Posts of one contour: on its own walls, else on whatever stands below.
@@ -130,7 +130,7 @@ fn stand_on(
 fn slant(
     cx: &Context,
     journal: &Journal,
-    steps: &mut Vec<Step>,
+    steps: &mut Vec<ZigzagStep>,
     curve: &Curve,
     piece: &Piece,
     carriers: &[&Rim],
@@ -147,7 +147,7 @@ fn slant(
     let end = foot(curve.position(curve.length())).filter(|_| piece.meets[1]);
     if let Some(base) = end.filter(|_| !steps.is_empty()) {
         let post = Post { base, peak: base, s: curve.length() };
-        steps.push(Step { post, linked: true });
+        steps.push(ZigzagStep { post, linked: true });
     }
 }
 
@@ -192,7 +192,7 @@ fn held(posts: Vec<Post>, curve: &Curve, piece: &Piece, z: f64) -> Vec<Post> {
 
 /// Leaves out posts whose contour hangs too far on both sides to be printed: nothing would ever
 /// meet their peaks.
-fn met(curve: &Curve, steps: Vec<Step>, longest: f64) -> Vec<Step> {
+fn met(curve: &Curve, steps: Vec<ZigzagStep>, longest: f64) -> Vec<ZigzagStep> {
     let posts: Vec<Post> = steps.iter().map(|step| step.post).collect();
     let short: Vec<bool> = gaps(curve, &posts).map(|(_, gap)| gap <= longest).collect();
     let before = |i: usize| match i.checked_sub(1) {

@@ -3,7 +3,7 @@
 use crate::strand::Kind;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::place::posts::Post;
-use crate::wireframe::place::zigzag::Step;
+use crate::wireframe::place::zigzag::ZigzagStep;
 
 /// Strokes shorter than this part of the strand's diameter are mere contact and are not printed.
 const CONTACT: f64 = 0.5;
@@ -14,7 +14,7 @@ const CONTACT: f64 = 0.5;
 /// `down` names the strokes between posts; none longer than `longest` mm is printed.
 pub fn zigzag_strokes(
     journal: &mut Journal,
-    steps: &[Step],
+    steps: &[ZigzagStep],
     up: Kind,
     down: Kind,
     longest: f64,

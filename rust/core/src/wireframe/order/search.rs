@@ -46,7 +46,7 @@ impl Trial {
 }
 
 /// What one slab came to.
-pub struct Slab {
+pub struct PrintedSlab {
     /// What stands at its top.
     pub printed: Ground,
     /// Whether another order might print more of it, or nearer to the model.
@@ -61,10 +61,10 @@ pub fn slab(
     slab: usize,
     ground: &mut Ground,
     searching: bool,
-) -> Slab {
+) -> PrintedSlab {
     let top = cx.tops.get(slab);
     let jobs = jobs(cx, journal, top, &ground.rims);
-    let settled = |printed| Slab { printed, wants_search: false };
+    let settled = |printed| PrintedSlab { printed, wants_search: false };
     if !cx.guide.is_empty() {
         return settled(slab_in(cx, journal, Order::Guided, top, &jobs, ground).ground);
     }
@@ -75,7 +75,7 @@ pub fn slab(
     }
     let mark = journal.mark();
     let Printed { ground, turns } = slab_in(cx, journal, Order::Nearest, top, &jobs, ground);
-    Slab { printed: ground, wants_search: turns > 1 && !journal.is_whole_since(&mark, near) }
+    PrintedSlab { printed: ground, wants_search: turns > 1 && !journal.is_whole_since(&mark, near) }
 }
 
 /// Prints a slab in the best of several orders; gives what stands at its top. A slab that is

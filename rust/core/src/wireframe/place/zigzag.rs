@@ -28,7 +28,7 @@ pub enum Placement {
 
 /// A post, and whether a diagonal leads to it from the one before.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
+pub struct ZigzagStep {
     /// The post.
     pub post: Post,
     /// Whether the stroke from the last peak down to this base is printed.
@@ -84,14 +84,14 @@ pub fn zigzag(
     input: &ZigzagInput,
     head: &Head,
     is_free: impl Fn(&Post) -> bool,
-) -> (f64, Vec<Step>) {
+) -> (f64, Vec<ZigzagStep>) {
     let least = input.least * SLACK;
     let ideal = even_spacing(input.curve.length(), least.max(input.run * SLACK) * SPARE);
     if input.placement == Placement::Paper {
         let (curve, z, start) = (input.curve, input.z, input.start);
         let posts = place_by_averaging(curve, z, start, input.rims, head, ideal);
         let free = posts.into_iter().filter(|post| is_free(post));
-        return (start, free.map(|post| Step { post, linked: true }).collect());
+        return (start, free.map(|post| ZigzagStep { post, linked: true }).collect());
     }
     let step = (FINEST * input.strand).max(least / PLACES);
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
@@ -138,7 +138,7 @@ fn chain(
     head: &Head,
     ideal: f64,
     crowd: f64,
-) -> Vec<Step> {
+) -> Vec<ZigzagStep> {
     let strokes = Strokes::new(head, input.strand);
     let params = PostParams {
         ideal,
@@ -157,12 +157,14 @@ fn chain(
         let i = all.partition_point(|c| c.post.s < post.s);
         all.get(i).is_some_and(|c| c.room >= DIAGONAL_ROOM)
     };
-    let mut steps: Vec<Step> = Vec::with_capacity(settled.len());
+    let mut steps: Vec<ZigzagStep> = Vec::with_capacity(settled.len());
     for post in settled {
         let linked = roomy(&post)
             && steps.last().is_some_and(|last| roomy(&last.post))
-            && steps.last().is_some_and(|last: &Step| leads_down(&strokes, &last.post, &post));
-        steps.push(Step { post, linked });
+            && steps
+                .last()
+                .is_some_and(|last: &ZigzagStep| leads_down(&strokes, &last.post, &post));
+        steps.push(ZigzagStep { post, linked });
     }
     steps
 }

@@ -62,7 +62,7 @@ pub struct Column {
 
 /// A slice that is printed upon another, or upon the bed.
 #[derive(Debug, Clone, Copy)]
-pub struct Step<'a> {
+pub struct LevelStep<'a> {
     /// The level.
     pub level: usize,
     /// How many slices of the level lie below it.
@@ -240,13 +240,13 @@ fn same(a: &[Contour], b: &[Contour]) -> bool {
 impl Sliced {
     /// What is printed at a level, slice upon slice.
     #[must_use]
-    pub fn steps(&self, level: usize) -> Vec<Step<'_>> {
+    pub fn steps(&self, level: usize) -> Vec<LevelStep<'_>> {
         let mut steps = Vec::new();
         let Some(Some(last)) = self.ledges.get(level) else { return steps };
         let sheets = self.sheets[level].iter().map(|sheet| (&sheet.contours, &sheet.ledges));
         let mut below: &[Contour] = if level == 0 { &[] } else { &self.lower[level] };
         for (number, (contours, ledges)) in sheets.chain([(&self.upper[level], last)]).enumerate() {
-            steps.push(Step { level, number, below, contours, ledges });
+            steps.push(LevelStep { level, number, below, contours, ledges });
             below = contours;
         }
         steps
@@ -254,7 +254,7 @@ impl Sliced {
 
     /// What lies on the bed.
     #[must_use]
-    pub fn first(&self) -> Option<Step<'_>> {
+    pub fn first(&self) -> Option<LevelStep<'_>> {
         self.steps(0).into_iter().next()
     }
 

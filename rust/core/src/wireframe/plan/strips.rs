@@ -143,7 +143,7 @@ fn pieces(mesh: &Mesh, slabs: &[Slab], ends: Ends) -> Vec<Vec<Strip>> {
             let mut local = spare.unwrap_or_else(|| vec![NO_FACE; mesh.faces.len()]);
             let faces: Vec<u32> =
                 lists.iter().flat_map(|list| list[index].iter().copied()).collect();
-            let strips = Surface::new(mesh, intervals[index], &faces, &mut local).strips(slab);
+            let strips = SlabSurface::new(mesh, intervals[index], &faces, &mut local).strips(slab);
             faces.iter().for_each(|&face| local[face as usize] = NO_FACE);
             idle.lock().unwrap_or_else(PoisonError::into_inner).push(local);
             strips
@@ -187,7 +187,7 @@ fn heights(mesh: &Mesh, corners: [u32; 3]) -> [f64; 3] {
 }
 
 /// The faces that meet one interval, with the piece that each belongs to.
-struct Surface<'a> {
+struct SlabSurface<'a> {
     mesh: &'a Mesh,
     interval: Interval,
     faces: &'a [u32],
@@ -197,7 +197,7 @@ struct Surface<'a> {
     sets: UnionFind,
 }
 
-impl<'a> Surface<'a> {
+impl<'a> SlabSurface<'a> {
     fn new(mesh: &'a Mesh, interval: Interval, faces: &'a [u32], local: &'a mut [u32]) -> Self {
         for (place, &face) in (0..).zip(faces) {
             local[face as usize] = place;
@@ -233,14 +233,14 @@ impl<'a> Surface<'a> {
     }
 
     /// The pieces, by their smallest face, with their areas; and the piece of each place.
-    fn pieces(&self) -> (Vec<Piece>, Vec<usize>) {
-        let mut pieces: Vec<Piece> = Vec::new();
+    fn pieces(&self) -> (Vec<OpenStrip>, Vec<usize>) {
+        let mut pieces: Vec<OpenStrip> = Vec::new();
         let mut numbers: Vec<usize> = Vec::with_capacity(self.faces.len());
         for (place, &face) in self.faces.iter().enumerate() {
             // The representative is the lowest of its piece, so it was numbered first.
             let lowest = self.sets.find(place as u32) as usize;
             if lowest == place {
-                pieces.push(Piece::default());
+                pieces.push(OpenStrip::default());
             }
             let number = if lowest == place { pieces.len() - 1 } else { numbers[lowest] };
             numbers.push(number);
@@ -278,13 +278,13 @@ impl<'a> Surface<'a> {
 
 /// A strip in the making.
 #[derive(Clone, Default)]
-struct Piece {
+struct OpenStrip {
     strip: Strip,
     /// Whether its surface goes on beyond the interval.
     leaves: bool,
 }
 
-impl Piece {
+impl OpenStrip {
     /// Adds the part of a triangle that lies in the interval.
     fn add(&mut self, corners: [DVec3; 3], interval: &Interval) {
         let [a, b, c] = corners;

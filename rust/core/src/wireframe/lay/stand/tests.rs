@@ -14,15 +14,15 @@ fn square(closed: bool) -> Curve {
     Curve::new(&corners, closed).unwrap()
 }
 
-fn steps(curve: &Curve, places: &[f64]) -> Vec<Step> {
+fn steps(curve: &Curve, places: &[f64]) -> Vec<ZigzagStep> {
     let step = |&s: &f64| {
         let base = curve.position(s).extend(0.0);
-        Step { post: Post { base, peak: base + DVec3::Z * 5.0, s }, linked: true }
+        ZigzagStep { post: Post { base, peak: base + DVec3::Z * 5.0, s }, linked: true }
     };
     places.iter().map(step).collect()
 }
 
-fn places(steps: &[Step]) -> Vec<f64> {
+fn places(steps: &[ZigzagStep]) -> Vec<f64> {
     steps.iter().map(|step| step.post.s).collect()
 }
 
@@ -90,14 +90,14 @@ fn rims_are_as_far_as_their_farthest_vertex_and_as_low_as_their_lowest() {
 }
 
 /// A line of 40 mm between two regions, posts on it, and what stands below.
-fn stretch() -> (Curve, Vec<Step>, Rim) {
+fn stretch() -> (Curve, Vec<ZigzagStep>, Rim) {
     let ends = [DVec2::ZERO, DVec2::X * 40.0];
     let line = Curve::new(&ends, false).unwrap();
     let posts = steps(&line, &[8.0, 16.0]);
     (line, posts, Rim::line(ends.map(|p| p.extend(0.0)).to_vec()))
 }
 
-fn slanted(meets: [bool; 2], change: impl FnOnce(&mut Scene, &mut Vec<DVec3>)) -> Vec<Step> {
+fn slanted(meets: [bool; 2], change: impl FnOnce(&mut Scene, &mut Vec<DVec3>)) -> Vec<ZigzagStep> {
     let (line, mut posts, rim) = stretch();
     let piece = Piece { contour: 0, from: 0.0, length: 40.0, curve: Some(0), meets };
     let (mut scene, mut barring) = (Scene::slab(5.0, &[]), Vec::new());
@@ -118,7 +118,10 @@ fn a_zigzag_leans_away_from_the_region_before_it_and_falls_to_the_one_behind() {
     assert_eq!(both[0].post, Post { base: DVec3::ZERO, ..plain[0].post });
     assert_eq!(both[1], plain[1]);
     let foot = DVec3::X * 40.0;
-    assert_eq!(both[2], Step { post: Post { base: foot, peak: foot, s: 40.0 }, linked: true });
+    assert_eq!(
+        both[2],
+        ZigzagStep { post: Post { base: foot, peak: foot, s: 40.0 }, linked: true }
+    );
     assert_eq!(slanted([true, false], |_, _| ()), both[..2]);
     assert_eq!(slanted([false, true], |_, _| ())[0], plain[0]);
 }
