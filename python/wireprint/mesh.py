@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 #: Millimetres per unit.
 UNITS_MM: Final = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 
+#: Suffixes of files of exact surfaces, which the extra ``step`` reads.
+_CAD: Final = ("step", "stp", "iges", "igs")
 #: Suffixes of the files that `load_mesh` reads.
-SUFFIXES: Final = (*FORMATS, "3mf", "amf")
+SUFFIXES: Final = (*FORMATS, "3mf", "amf", *_CAD)
 
 #: Suffixes of files that slicers write for printers: no models.
 _SLICED: Final = ("gcode", "gco", "g", "nc", "ngc", "bgcode", "ufp")
-#: Suffixes of files of exact surfaces.
-_CAD: Final = ("step", "stp", "iges", "igs", "brep")
 
 
 def load_mesh(
@@ -48,10 +48,10 @@ def load_mesh(
     Parameters
     ----------
     path
-        STL, OBJ, PLY, OFF, 3MF or AMF file. Objects, instances and components are joined, each with
-        its transform; overlapping bodies stay as they are until slices are united. Of slicers'
-        projects negative parts are cut out; modifiers, what is for supports, and what is not to be
-        printed is left out; the mesh's `notes` say so.
+        STL, OBJ, PLY, OFF, 3MF, AMF, STEP or IGES file. Objects, instances and components are
+        joined, each with its transform; overlapping bodies stay as they are until slices are
+        united. Of slicers' projects negative parts are cut out; modifiers, what is for supports,
+        and what is not to be printed is left out; the mesh's `notes` say so.
     file_format
         One of `SUFFIXES`, where the name of the file does not end in it.
     plate
@@ -59,8 +59,8 @@ def load_mesh(
     scale
         Factor on the model's size.
     units
-        Unit of the file: ``mm``, ``cm``, ``m`` or ``inch``. A 3MF or AMF file states its unit,
-        which is respected, so `units` must stay ``mm`` there.
+        Unit of the file: ``mm``, ``cm``, ``m`` or ``inch``. 3MF, AMF and CAD files state their
+        unit, which is respected, so `units` must stay ``mm`` there.
     up
         Axis of the file that points up: ``x``, ``y`` or ``z``.
     rotate
@@ -115,8 +115,13 @@ def load_mesh(
         msg = f"{path}: it holds G-code, sliced already, and no model; take what it was made from"
         raise ModelError(msg)
     if suffix in _CAD:
-        msg = f"{path}: it holds a CAD model, which has no facets; export it as STL or 3MF"
-        raise ModelError(msg)
+        from pathlib import Path
+
+        from wireprint.cad import cad_mesh
+
+        _states_its_unit(path, "a CAD", units)
+        _no_plates(path, plate)
+        return cad_mesh(Path(path), suffix, **placement)
     if suffix not in FORMATS:
         known = ", ".join(name.upper() for name in SUFFIXES)
         msg = (

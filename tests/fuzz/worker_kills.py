@@ -22,12 +22,11 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import bench_jobs
 from wireprint import Settings, examples
-from wireprint.bench import pool, task
-from wireprint.bench.cluster import Cluster
+from wireprint.bench import cluster, pool, task
 from wireprint.bench.plan import Placement, plan
 
 if TYPE_CHECKING:
-    from distributed import LocalCluster
+    from distributed import LocalCluster, Nanny
 
 #: Between two kills no more than this passes, s.
 WITHIN_S = 2.0
@@ -36,24 +35,38 @@ WITHIN_S = 2.0
 def kill_workers(local: LocalCluster, kills: int, seed: int, done: threading.Event) -> None:
     """Kill a random worker again and again."""
     draw = random.Random(seed)
-    left = kills
+    left, killed = kills, set()
     while left and not done.wait(draw.uniform(0, WITHIN_S)):
         # One that is killed before it has begun is given up by its nanny.
-        known = set(local.scheduler.workers)
-        alive = [nanny for nanny in local.workers.values() if nanny.worker_address in known]
-        pid = draw.choice(alive).pid if alive else None
-        if pid is not None:
-            os.kill(pid, signal.SIGKILL)
+        alive = [
+            nanny
+            for nanny in local.workers.values()
+            if nanny.worker_address not in killed and has_begun(nanny)
+        ]
+        nanny = draw.choice(alive) if alive else None
+        if nanny is not None and nanny.pid is not None:
+            killed.add(nanny.worker_address)
+            os.kill(nanny.pid, signal.SIGKILL)
             left -= 1
     print(f"{kills - left} workers killed", flush=True)
+
+
+def has_begun(nanny: Nanny) -> bool:
+    """Whether a nanny takes its worker as running, and would start it anew."""
+    return nanny.process is not None and nanny.process.status.name == "running"
 
 
 def main() -> None:
     """Evaluate models under fire."""
     words = [*sys.argv[1:], *["40", "1", "400"][len(sys.argv) - 1 :]]
     kills, seed, models = map(int, words)
+    import dask
     from distributed import LocalCluster
 
+    # A machine that is busy starts programs slowly: 15 s after a loss Dask's local cluster would
+    # close the nanny whose new worker is not there yet, or has been killed again.
+    dask.config.set({"distributed.deploy.lost-worker-timeout": "1 hour"})
+    cluster.WORKERS_WITHIN_S = 300.0
     done = threading.Event()
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
@@ -68,7 +81,7 @@ def main() -> None:
             killer = threading.Thread(target=kill_workers, args=(local, kills, seed, done))
             begin = time.monotonic()
             killer.start()
-            with Cluster(job, local.scheduler_address) as opened:
+            with cluster.Cluster(job, local.scheduler_address) as opened:
                 found = {one.index: row for one, row in pool.rows(tasks, opened)}
             done.set()
             killer.join()

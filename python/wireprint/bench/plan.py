@@ -11,8 +11,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from wireprint import streams
-from wireprint._core import FORMATS, ModelError, SettingError, WireprintError, __version__
+from wireprint import mesh, streams
+from wireprint._core import ModelError, SettingError, WireprintError, __version__
 from wireprint.streams import STREAM
 from wireprint.text import one_line
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 #: What a folder is searched for.
-SUFFIXES: Final = tuple(f".{name}" for name in (*FORMATS, "3mf"))
+SUFFIXES: Final = tuple(f".{name}" for name in mesh.SUFFIXES)
 AXES: Final = ("x", "y", "z")
 
 

@@ -14,6 +14,7 @@ mod head;
 mod kept;
 mod lattice;
 mod layered;
+mod memory;
 mod mesh;
 mod nearest;
 mod params;
@@ -52,6 +53,8 @@ mod _core {
     use super::head::{stroke_run, tallest_slab};
     #[pymodule_export]
     use super::lattice::{lattice_toolpath, order_lattice};
+    #[pymodule_export]
+    use super::memory::memory_budget;
     #[pymodule_export]
     use super::mesh::Mesh;
     #[pymodule_export]
