@@ -8,13 +8,15 @@ import pytest
 import wireprint
 from command import run
 from wireprint import Settings, _core, simulate
-from wireprint.calibration.answers import SAG_MM, Answers, Sag, read
+from wireprint.calibration import bending, sphere
+from wireprint.calibration.answers import SAG_MM, Answers, Held, Sag, read
 from wireprint.calibration.fit import PRIORS, fitted
-from wireprint.calibration.prints import LENGTHS_MM, SHARES, pauses_s, printed
+from wireprint.calibration.prints import printed
+from wireprint.calibration.tents import LENGTHS_MM, SHARES, pauses_s
 from wireprint.forecast_terms import air_mm_s, matter_of
 
 
-@pytest.mark.parametrize("name", ["ladder", "harp"])
+@pytest.mark.parametrize("name", ["ladder", "harp", "mast", "sphere"])
 @pytest.mark.parametrize("printer", ["kossel-mini", "prusa-mk4s", "voron-2.4", "printrbot-simple"])
 @pytest.mark.parametrize("material", ["abs", "pla", "petg"])
 def test_a_print_is_certified_and_takes_less_than_ten_minutes(name, printer, material):
@@ -77,7 +79,8 @@ def test_a_ladder_and_a_harp_recover_pause_and_sag(seed):
         )
     )
     noise = float(np.clip(rng.normal(0, 0.1), -0.2, 0.2))
-    found = fitted(settings, Answers("2026-11-27", max(0.01, pause + noise), 0.1, measured))
+    held = Held("ladder", settings.print_mm_s, max(0.01, pause + noise), 0.1)
+    found = fitted(settings, Answers("2026-11-27", (held,), measured))
     assert abs(found.pause_s - pause) <= max(0.15, 2.5 * found.pause_spread_s)
     [true] = sags([20.0], settings.print_mm_s)
     assert abs(found.sags_mm[0][1] - true) <= max(0.1, 2.5 * found.sags_mm[0][2])
@@ -161,6 +164,10 @@ def test_it_holds_for_what_it_was_measured_with_alone(tmp_path):
         ("date = 2026-11-27\n[[harp]]\nlength_mm = 20\nspeed_mm_s = 30\nsag_mm = nan", "sag_mm"),
         ("date = 2026-11-27\nladdder = 3", "laddder is no answer"),
         ("date = ", "answers.toml"),
+        ("date = 2026-11-27\n[mast]\nweight_g = 2.3\nlength_mm = 30", "drop_mm"),
+        ("date = 2026-11-27\n[mast]\nweight_g = 2.3\nlength_mm = 30\ndrop_mm = 29", "nearer"),
+        ("date = 2026-11-27\n[[sphere]]\nspeed_mm_s = 30", "pause_s"),
+        ("date = 2026-11-27\n[sphere]\nspeed_mm_s = 30", "two brackets"),
     ],
 )
 def test_answers_that_say_nothing_are_refused(tmp_path, text, word):
@@ -179,5 +186,67 @@ def test_a_ladders_answer_lies_between_two_tents(tmp_path):
     settings = Settings.load()
     answers = read(path, settings)
     low, high = pauses_s(settings)[3:5]
-    assert low < answers.pause_s < high
+    assert low < answers.pauses[0].pause_s < high
     assert answers.sags == ()
+
+
+@pytest.mark.parametrize(("length_mm", "weight_g"), [(60, 1.0), (30, 2.3), (20, 0.2)])
+def test_a_masts_drop_tells_how_stiff_its_strand_is(length_mm, weight_g):
+    """A coin of 1 g pulls the end of 60 mm of ABS of 0.7 mm down by 27 mm, less as it bends on."""
+    stiff = bending.of_strand(0.7, 2200)
+    drop_mm = bending.drop_mm(weight_g, length_mm, stiff)
+    assert bending.stiffness_n_mm2(weight_g, length_mm, drop_mm) == pytest.approx(stiff, rel=1e-9)
+    small = weight_g / 1000 * bending.GRAVITY_M_S2 * length_mm**3 / (3 * stiff)
+    assert 0.8 * small < drop_mm < small
+
+
+def test_a_far_bent_strand_is_the_elastica():
+    """Bisshopp & Drucker 1945, table: a load of W·L²/EI = 1 drops the end by 0.302 lengths."""
+    stiff = 1.0
+    weight_g = 1000 / bending.GRAVITY_M_S2
+    assert bending.drop_mm(weight_g, 1.0, stiff) == pytest.approx(0.3017, abs=2e-4)
+    assert bending.drop_mm(10 * weight_g, 1.0, stiff) == pytest.approx(0.8106, abs=2e-4)
+
+
+def test_a_mast_makes_the_frame_as_stiff_as_it_was(cube, tmp_path):
+    answers, mine, target = (tmp_path / name for name in ("a.toml", "mine.toml", "cube.gcode"))
+    settings = Settings.load()
+    half = bending.of_strand(settings.strand_mm, settings.material.modulus_mpa) / 2
+    drop_mm = bending.drop_mm(2.3, 25, half)
+    answers.write_text(
+        f"date = 2026-11-27\n[mast]\nweight_g = 2.3\nlength_mm = 25\ndrop_mm = {drop_mm:.6f}\n"
+    )
+    told = run("calibrate", "fit", answers, "-o", mine)
+    assert "N·mm²" in told.stdout, told.stderr
+    run("slice", cube, "-o", target, "-q")
+    plain, soft = (simulate(target, one) for one in (settings, settings.but(load=[mine])))
+    both = ~np.isnan(plain.compliance_mm_n) & (plain.compliance_mm_n > 0)
+    shares = soft.compliance_mm_n[both] / plain.compliance_mm_n[both]
+    assert shares == pytest.approx(np.full(len(shares), 2.0), rel=1e-3)
+    # The pull stays unknown.
+    assert not soft.rules["meets"].calibrated
+
+
+def test_each_sphere_has_its_speed_and_its_pause():
+    settings = Settings.load("prusa-mk4s", "pla")
+    text = printed("sphere", settings).gcode.decode()
+    held = {round(int(line[4:]) / 1000, 2) for line in text.splitlines() if line.startswith("G4 P")}
+    assert {round(pause, 2) for pause in sphere.pauses_s(settings)} <= held
+    feeds = {word for line in text.splitlines() for word in line.split() if word.startswith("F")}
+    assert {f"F{60 * speed:.0f}" for speed in sphere.speeds_mm_s(settings)} <= feeds
+
+
+def test_spheres_tell_the_pause_as_a_ladder_does(tmp_path):
+    path = tmp_path / "answers.toml"
+    settings = Settings.load()
+    short, long = sphere.pauses_s(settings)[1:]
+    path.write_text(
+        "date = 2026-11-27\n"
+        f"[[sphere]]\nspeed_mm_s = 30\npause_s = {long:.2f}\n"
+        f"[[sphere]]\nspeed_mm_s = 5\npause_s = {sphere.pauses_s(settings)[0]:.2f}\n"
+    )
+    answers = read(path, settings)
+    assert short < answers.pauses[0].pause_s < long
+    assert answers.pauses[1].pause_s < answers.pauses[0].pause_s
+    found = fitted(settings, answers)
+    assert 0.7 * short < found.pause_s < 1.2 * long

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import _core
+from wireprint.calibration.bending import of_strand
 
 if TYPE_CHECKING:
     from wireprint.settings import Material, Settings
@@ -63,6 +64,9 @@ def terms_of(settings: Settings) -> dict[str, Any]:
     matter = matter_of(material, settings.strand_mm)
     known = settings.calibrated_by()
     spread, faster, farther = calibrated_spread("holds", settings) or SPREAD, 1.0, []
+    stiffer = 1.0
+    if known is not None and known.bending_n_mm2 is not None:
+        stiffer = known.bending_n_mm2 / of_strand(settings.strand_mm, material.modulus_mpa)
     if known is not None:
         faster = settings.solidify_s / known.pause_s
         lengths = [one.length_mm for one in known.sags]
@@ -78,6 +82,7 @@ def terms_of(settings: Settings) -> dict[str, Any]:
         "pressure_lag_s": printer.extruder.pressure_lag_s,
         "most_work": MOST_WORK,
         "sets_faster": (faster / spread, faster, faster * spread),
+        "stiffer": stiffer,
         "sags_farther": farther,
     }
 

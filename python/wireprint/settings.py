@@ -679,6 +679,10 @@ class Calibration(Section):
     print_mm_s: float = Field(ge=0.1, le=500, description="speed measured with")
     pause_s: float = Field(ge=1e-3, le=60, description="after which posts held")
     pause_spread_s: float = Field(ge=0, le=60, description="one standard deviation")
+    bending_n_mm2: float | None = Field(
+        None, ge=1e-4, le=1e6, description="bending stiffness of a strand, N·mm², by a mast"
+    )
+    bending_spread_n_mm2: float = Field(0.0, ge=0, le=1e6, description="one standard deviation")
     sags: tuple[SagPoint, ...] = Field(
         (), max_length=20, description="by length, the shortest first"
     )

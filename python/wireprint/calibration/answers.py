@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import toml
 from wireprint._core import SettingError
-from wireprint.calibration.prints import RATIO, TENTS, pauses_s
+from wireprint.calibration import bending, sphere
+from wireprint.calibration.tents import RATIO, TENTS, pauses_s
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -17,10 +18,19 @@ if TYPE_CHECKING:
 
 #: How well a sag is measured, mm: calipers, or a ruler on a photo.
 SAG_MM: Final = 0.15
+#: How well a mast's length and drop are measured, mm: with a ruler.
+RULER_MM: Final = 0.5
+#: How well a coin's weight is known, as a share.
+_WEIGHT: Final = 0.02
 #: A pause between two that are evenly likely has this deviation, in shares of their distance.
 _EVENLY: Final = 1 / math.sqrt(12)
-_KEYS: Final = {"date", "ladder", "harp"}
-_FORM: Final = "it has date, [ladder] first_standing, and [[harp]] length_mm, speed_mm_s, sag_mm"
+#: A coin that drops by more of its length than this hangs from its strand rather than bends it.
+_HANGS: Final = 0.9
+_KEYS: Final = {"date", "ladder", "harp", "mast", "sphere"}
+_FORM: Final = (
+    "it has date, [ladder] first_standing, [[harp]] length_mm, speed_mm_s, sag_mm, "
+    "[mast] weight_g, length_mm, drop_mm, and [[sphere]] speed_mm_s, pause_s"
+)
 
 
 @dataclass(frozen=True)
@@ -33,23 +43,46 @@ class Sag:
 
 
 @dataclass(frozen=True)
+class Held:
+    """A pause after which what was drawn at a speed held."""
+
+    #: Of what: ladder or sphere.
+    print: str
+    speed_mm_s: float
+    pause_s: float
+    #: Its deviation, s.
+    spread_s: float
+
+
+@dataclass(frozen=True)
+class Stiff:
+    """A strand that was bent."""
+
+    bending_n_mm2: float
+    #: Its deviation.
+    spread_n_mm2: float
+
+
+@dataclass(frozen=True)
 class Answers:
     """All that was measured."""
 
     date: str
-    #: The pause that the ladder tells, s, and its deviation; None where none was printed.
-    pause_s: float | None
-    pause_spread_s: float
+    pauses: tuple[Held, ...]
     sags: tuple[Sag, ...]
+    stiff: Stiff | None = None
 
     def words(self) -> tuple[str, ...]:
         """Say what was measured."""
-        said = []
-        if self.pause_s is not None:
-            said.append(f"ladder: {self.pause_s:.2f} s")
+        said = [
+            f"{held.print}: {held.pause_s:.2f} s at {held.speed_mm_s:.3g} mm/s"
+            for held in self.pauses
+        ]
         if self.sags:
             lengths = sorted({sag.length_mm for sag in self.sags})
             said.append(f"harp: {len(self.sags)} strands, {lengths[0]:g} to {lengths[-1]:g} mm")
+        if self.stiff is not None:
+            said.append(f"mast: {self.stiff.bending_n_mm2:.3g} N·mm²")
         return tuple(said)
 
 
@@ -67,19 +100,24 @@ def read(path: Path, settings: Settings) -> Answers:
     date = values.get("date")
     if date is None or not str(date).isprintable() or len(str(date)) > 100:
         raise SettingError(f"{path}: date is missing, such as date = 2026-11-27; {_FORM}")
-    pause, spread = _ladder(path, values.get("ladder"), settings)
-    harp = values.get("harp", [])
-    if not isinstance(harp, list):
-        raise SettingError(f"{path}: [[harp]] is written with two brackets, once for each strand")
-    sags = tuple(_sag(path, one) for one in harp)
-    if pause is None and not sags:
+    ladder = values.get("ladder")
+    pauses = [] if ladder is None else [_ladder(path, ladder, settings)]
+    pauses += [_sphere(path, one, settings) for one in _several(path, values, "sphere")]
+    sags = tuple(_sag(path, one) for one in _several(path, values, "harp"))
+    stiff = None if values.get("mast") is None else _mast(path, values["mast"])
+    if not pauses and not sags and stiff is None:
         raise SettingError(f"{path}: nothing was measured; {_FORM}")
-    return Answers(str(date), pause, spread, sags)
+    return Answers(str(date), tuple(pauses), sags, stiff)
 
 
-def _ladder(path: Path, table: Any, settings: Settings) -> tuple[float | None, float]:
-    if table is None:
-        return None, 0.0
+def _several(path: Path, values: dict[str, Any], name: str) -> list[Any]:
+    found = values.get(name, [])
+    if not isinstance(found, list):
+        raise SettingError(f"{path}: [[{name}]] is written with two brackets, once for each")
+    return found
+
+
+def _ladder(path: Path, table: Any, settings: Settings) -> Held:
     first = table.get("first_standing") if isinstance(table, dict) else None
     if isinstance(first, bool) or not isinstance(first, int) or not 1 <= first <= TENTS:
         raise SettingError(
@@ -87,21 +125,53 @@ def _ladder(path: Path, table: Any, settings: Settings) -> tuple[float | None, f
             "stands, print a ladder with twice the air, or a cooler nozzle"
         )
     stands = pauses_s(settings)[first - 1]
-    fallen = stands / RATIO
-    return (stands + fallen) / 2, (stands - fallen) * _EVENLY
+    return _between("ladder", settings.print_mm_s, stands / RATIO, stands)
+
+
+def _sphere(path: Path, table: Any, settings: Settings) -> Held:
+    speed = _number(path, table, "a row of [[sphere]]", "speed_mm_s", 0.1, 500)
+    stands = _number(path, table, "a row of [[sphere]]", "pause_s", 0.001, 500)
+    shorter = [pause for pause in sphere.pauses_s(settings) if pause < 0.99 * stands]
+    return _between("sphere", speed, max(shorter, default=0.0), stands)
+
+
+def _between(print_: str, speed_mm_s: float, fallen_s: float, stands_s: float) -> Held:
+    """Take the middle of the last pause that failed and the first that did not."""
+    middle, spread = (stands_s + fallen_s) / 2, (stands_s - fallen_s) * _EVENLY
+    return Held(print_, speed_mm_s, middle, spread)
+
+
+def _mast(path: Path, table: Any) -> Stiff:
+    weight = _number(path, table, "the mast", "weight_g", 0.01, 1000)
+    length = _number(path, table, "the mast", "length_mm", 1, 500)
+    drop = _number(path, table, "the mast", "drop_mm", 0.1, 500)
+    if drop > _HANGS * length:
+        raise SettingError(
+            f"{path}: a drop of {drop:g} mm says nothing about a strand of {length:g} mm, which "
+            "hangs; hang the coin nearer to the block"
+        )
+    found = bending.stiffness_n_mm2(weight, length, drop)
+    # Drop and length by a ruler, each by itself.
+    lower = bending.stiffness_n_mm2(weight, length, max(drop - RULER_MM, drop / 2))
+    longer = bending.stiffness_n_mm2(weight, length + RULER_MM, drop)
+    spread = math.hypot(lower - found, longer - found, _WEIGHT * found)
+    return Stiff(found, spread)
 
 
 def _sag(path: Path, table: Any) -> Sag:
-    def number(name: str, low: float, high: float) -> float:
-        value = table.get(name) if isinstance(table, dict) else None
-        counts = isinstance(value, int | float) and not isinstance(value, bool)
-        if not counts or not low <= float(value or 0) <= high:
-            raise SettingError(
-                f"{path}: {name} of a strand of the harp is {value}; it must be a number from "
-                f"{low:g} to {high:g}"
-            )
-        return float(value or 0)
-
+    of = "a strand of the harp"
     return Sag(
-        number("length_mm", 1, 500), number("speed_mm_s", 0.1, 500), number("sag_mm", 0, 500)
+        _number(path, table, of, "length_mm", 1, 500),
+        _number(path, table, of, "speed_mm_s", 0.1, 500),
+        _number(path, table, of, "sag_mm", 0, 500),
     )
+
+
+def _number(path: Path, table: Any, of: str, name: str, low: float, high: float) -> float:
+    value = table.get(name) if isinstance(table, dict) else None
+    counts = isinstance(value, int | float) and not isinstance(value, bool)
+    if not counts or not low <= float(value or 0) <= high:
+        raise SettingError(
+            f"{path}: {name} of {of} is {value}; it must be a number from {low:g} to {high:g}"
+        )
+    return float(value or 0)

@@ -15,7 +15,7 @@ import numpy as np
 
 from wireprint import _core
 from wireprint.calibration.answers import SAG_MM
-from wireprint.calibration.prints import LENGTHS_MM
+from wireprint.calibration.tents import LENGTHS_MM
 from wireprint.forecast_terms import air_mm_s, matter_of
 
 if TYPE_CHECKING:
@@ -38,6 +38,9 @@ _STEPS: Final = 4
 _NEW_SLOPES: Final = 2
 #: No parameter is taken farther off than this, in priors.
 _FARTHEST: Final = 3.0
+#: Height of the posts by which pauses at several speeds are compared, mm, and the longest, s.
+_POST_MM: Final = 5.0
+_LONGEST_S: Final = 60.0
 #: Nothing is told nearer than this, mm and s: what can be seen on a print.
 _LEAST_MM: Final = 0.02
 
@@ -64,13 +67,11 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
     """
     keys = [(sag.length_mm, sag.speed_mm_s) for sag in answers.sags]
     told = [(length, settings.print_mm_s) for length in LENGTHS_MM]
-    model = _model(settings, [*keys, *told])
-    measured = [sag.sag_mm for sag in answers.sags]
-    deviations = [SAG_MM] * len(measured)
+    model = _model(settings, [held.speed_mm_s for held in answers.pauses], [*keys, *told])
+    measured = [held.pause_s for held in answers.pauses] + [sag.sag_mm for sag in answers.sags]
+    deviations = [held.spread_s for held in answers.pauses] + [SAG_MM] * len(answers.sags)
+    # The pause at the speed of printing comes first, and was not measured as such.
     rows = list(range(1, 1 + len(measured)))
-    if answers.pause_s is not None:
-        measured, deviations = [answers.pause_s, *measured], [answers.pause_spread_s, *deviations]
-        rows = [0, *rows]
     weights = 1 / np.array(deviations)
     unit: Array = np.eye(len(PRIORS))
     place: Array = np.zeros(len(PRIORS))
@@ -94,12 +95,19 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
             told, values[-len(told) :], deviation[-len(told) :], strict=True
         )
     ]
-    misfit = math.sqrt(float(np.mean(off**2)))
+    misfit = math.sqrt(float(np.mean(off**2))) if len(off) else 0.0
     return Fitted(float(values[0]), float(deviation[0]), tuple(sags), misfit)
 
 
-def _model(settings: Settings, strands: list[tuple[float, float]]) -> Callable[[Array], Array]:
-    """Return what tells pause and sags by parameters in units of their priors' deviations."""
+def _model(
+    settings: Settings, drawn: list[float], strands: list[tuple[float, float]]
+) -> Callable[[Array], Array]:
+    """Return what tells pauses and sags by parameters in units of their priors' deviations.
+
+    First the pause at the speed of printing, then those at the speeds of `drawn`, mm/s, then sags
+    of strands by length and speed.
+    """
+    shorter = [_shorter(settings, speed) for speed in drawn]
     matter = matter_of(settings.material, settings.strand_mm)
     air, hold_c = air_mm_s(settings), settings.material.holding_c
     speeds = sorted({speed for _, speed in strands})
@@ -112,7 +120,8 @@ def _model(settings: Settings, strands: list[tuple[float, float]]) -> Callable[[
             "draw": max(matter["draw"] + drawn, 1.0),
         }
         speed = air * math.exp(blown)
-        found = [_core.cooling_time(matter, hold_c + hotter, speed)]
+        pause = _core.cooling_time(matter, hold_c + hotter, speed)
+        found = [pause, *(share * pause for share in shorter)]
         sags: dict[tuple[float, float], float] = {}
         for laid in speeds:
             lengths = sorted({length for length, one in strands if one == laid})
@@ -121,6 +130,19 @@ def _model(settings: Settings, strands: list[tuple[float, float]]) -> Callable[[
         return np.array([*found, *(sags[strand] for strand in strands)])
 
     return predicted
+
+
+def _shorter(settings: Settings, speed_mm_s: float) -> float:
+    """Return the pause of a post that is drawn at a speed, to that at the speed of printing."""
+    if speed_mm_s == settings.print_mm_s:
+        return 1.0
+    matter, air = matter_of(settings.material, settings.strand_mm), air_mm_s(settings)
+    height, pull = min(_POST_MM, settings.slab_max_mm), settings.wire.pull_n
+    own, other = (
+        _core.holding_pause(matter, air, height, speed, pull, _LONGEST_S)
+        for speed in (settings.print_mm_s, speed_mm_s)
+    )
+    return other / own if own > 0 else 1.0
 
 
 def _slopes(model: Callable[[Array], Array], place: Array, values: Array) -> Array:
@@ -147,6 +169,11 @@ def written(settings: Settings, answers: Answers, found: Fitted) -> str:
         f"pause_s = {found.pause_s:.3f}",
         f"pause_spread_s = {found.pause_spread_s:.3f}",
     ]
+    if answers.stiff is not None:
+        lines += [
+            f"bending_n_mm2 = {answers.stiff.bending_n_mm2:.4g}",
+            f"bending_spread_n_mm2 = {answers.stiff.spread_n_mm2:.3g}",
+        ]
     if answers.sags:
         for length, sag, spread in found.sags_mm:
             lines += [

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _SUMMARIES: dict[Print, str] = {
     "ladder": "Write twelve tents whose pauses grow: the first that stands tells the pause.",
     "harp": "Write strands of three lengths at two speeds: their sags tell draw and viscosity.",
+    "mast": "Write one long strand: a coin that hangs from it tells how stiff strands are.",
+    "sphere": "Write nine spheres, three speeds by three pauses, as the paper's figure 15.",
 }
 #: A fit that is off by more deviations than this is told as doubtful.
 _DOUBTFUL = 2.5
@@ -29,9 +31,9 @@ _DOUBTFUL = 2.5
 def calibrate() -> None:
     """Make forecasts true for your printer: print, measure, fit.
 
-    Print a ladder and a harp with the nozzle, filament and air that you will use, write down what
-    they ask for, and let fit make a file of it. With --load it gives slice its pause, and with
-    --calibration or --load forecasts say "calibrated".
+    Print a ladder and a harp with the nozzle, filament and air that you will use (a mast and
+    spheres tell more), write down what they ask for, and let fit make a file of it. With --load
+    it gives slice its pause, and with --calibration or --load forecasts say "calibrated".
     """
 
 
@@ -43,14 +45,14 @@ def _command(name: Print) -> click.Command:
     )
     def write(output: str, **options: Any) -> None:
         from wireprint.calibration.prints import printed
-        from wireprint.timing import clock, estimate
+        from wireprint.timing import clock
 
         chosen = chosen_from(options)
         settings = chosen.settings()
         target = files.output(output, f"{name}.gcode", files.GCODE_SUFFIXES, chosen.files)
         made = printed(name, settings)
         target.write(made.gcode)
-        takes = clock(estimate(made.gcode).total_s)
+        takes = clock(made.takes_s)
         machine = f"{settings.printer.name} with {settings.material.name}"
         say_all(
             [f"{target}: {name}, {takes} on {machine}", *(f"  {word}" for word in made.words)],
@@ -73,9 +75,12 @@ for _name in _SUMMARIES:
 def fit(answers: Path, output: str, **options: Any) -> None:
     """Fit what was measured, and write pause and sags with their spread.
 
-    ANSWERS is a TOML file with date, [ladder] first_standing, and for each strand of a harp
-    [[harp]] length_mm, speed_mm_s, sag_mm. The options are those that the prints were made with.
+    ANSWERS is a TOML file with date, [ladder] first_standing, for each strand of a harp
+    [[harp]] length_mm, speed_mm_s, sag_mm, [mast] weight_g, length_mm, drop_mm, and for each
+    row of spheres [[sphere]] speed_mm_s, pause_s; those that were printed. The options are
+    those that the prints were made with.
     """
+    from wireprint.calibration import bending
     from wireprint.calibration.answers import read
     from wireprint.calibration.fit import fitted, written
 
@@ -95,6 +100,12 @@ def fit(answers: Path, output: str, **options: Any) -> None:
             f"  sag    {sag:.2f} ± {spread:.2f} mm of a strand of {length:g} mm"
             for length, sag, spread in found.sags_mm
         ]
+    if told.stiff is not None:
+        modelled = bending.of_strand(settings.strand_mm, settings.material.modulus_mpa)
+        lines.append(
+            f"  bends  {told.stiff.bending_n_mm2:.3g} ± {told.stiff.spread_n_mm2:.2g} N·mm² "
+            f"(computed without: {modelled:.3g} N·mm²)"
+        )
     if found.misfit > _DOUBTFUL:
         lines.append(
             "  doubtful: answers and model disagree; were nozzle, filament and air those of the "

@@ -47,7 +47,7 @@ STRIP_LINES, STRIP_BEYOND = (-1, 0, 1), 3
 
 @dataclass
 class Path:
-    """Moves under way, in mm from the middle of the gauge."""
+    """Moves under way, in mm from the middle of what is laid."""
 
     settings: Settings
     moves: list[tuple[Point, int, float, float, float, bool]] = field(default_factory=list)
@@ -117,11 +117,12 @@ class Path:
         slow = self.settings.first_layer_mm_s
         self._add(along or at, _TRAVEL, slow, pause=STAYS_S)
 
-    def toolpath(self) -> Toolpath:
-        """Return the moves, in the middle of the bed."""
+    def toolpath(self, *, centred: bool = True) -> Toolpath:
+        """Return the moves, in the middle of the bed, or where they were laid."""
         to = np.array([move[0] for move in self.moves])
-        low, high = to[:, :2].min(axis=0), to[:, :2].max(axis=0)
-        to[:, :2] += np.array(self.settings.printer.bed.centre_mm) - (low + high) / 2
+        if centred:
+            low, high = to[:, :2].min(axis=0), to[:, :2].max(axis=0)
+            to[:, :2] += np.array(self.settings.printer.bed.centre_mm) - (low + high) / 2
         columns = list(zip(*self.moves, strict=True))
         return _core.Toolpath.from_arrays(
             start=tuple(to[0].tolist()),

@@ -164,7 +164,7 @@ impl Scene<'_> {
         }
         let room = Compliance::bytes(most_open);
         memory::claim(room, || format!("a frame with {most_open} loose ends"))?;
-        let section = Section::new(rules.strand, terms.matter.modulus_mpa);
+        let section = Section::new(rules.strand, terms.frame_modulus());
         grow(frame, &open, most_open, section, |laid| {
             let gives = laid.tip.or(laid.met).unwrap_or(f64::NAN);
             grown.compliance[laid.strand] = gives;
@@ -197,7 +197,7 @@ impl Scene<'_> {
                 let laid = end - stroke.before_end(back.min(length));
                 self.climate.celsius(laid, laid + (leaves - laid) * faster)
             });
-            let cold = length.powi(3) / (3.0 * terms.matter.modulus_mpa * moment);
+            let cold = length.powi(3) / (3.0 * terms.frame_modulus() * moment);
             let base = (grown.compliance[last] - cold).max(0.0);
             let base = if base.is_finite() { base } else { 0.0 };
             let lean = (terms.pull_n * (base + own)).min(length);

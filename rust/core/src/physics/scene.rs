@@ -39,8 +39,17 @@ pub struct Terms {
     /// By how much faster posts set than the model says, as a calibration found: the least, what is
     /// likely, and the most.
     pub sets_faster: [f64; 3],
+    /// By how much stiffer strands bend than diameter and modulus say, as a calibration found.
+    pub stiffer: f64,
     /// By how much farther stretches of some lengths (mm) sag than the model says, likewise.
     pub sags_farther: Vec<SagShare>,
+}
+
+impl Terms {
+    /// Modulus of cold strands in the frame, MPa.
+    pub(super) fn frame_modulus(&self) -> f64 {
+        self.stiffer * self.matter.modulus_mpa
+    }
 }
 
 /// The worst of what a rule is about.
