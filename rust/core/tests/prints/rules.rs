@@ -149,7 +149,8 @@ fn steep(print: &Print, found: &mut Breaches) {
     }
 }
 
-/// Each post leads from what is printed up to its contour, and is printed.
+/// Each post leads from what is printed up to its contour, and is printed; it must hold by itself, unless
+/// it is no longer than a strand is thick.
 fn placed(print: &Print, found: &mut Breaches) {
     let frame = &print.frame;
     for placed in &frame.posts {
@@ -161,7 +162,9 @@ fn placed(print: &Print, found: &mut Breaches) {
         let z = frame.sliced.levels[level].z;
         let off = ends.map(|(a, b)| distance(post.peak, a.extend(z), b.extend(z)));
         let off = off.fold(f64::INFINITY, f64::min);
-        let up = frame.strands.iter().position(|s| s.to.distance(post.peak) < 1e-5 && s.floating);
+        let touches = |s: &Strand| s.from.distance(s.to) <= print.printer.wire.strand;
+        let is_up = |s: &Strand| s.to.distance(post.peak) < 1e-5 && s.floating != touches(s);
+        let up = frame.strands.iter().position(is_up);
         match up {
             Some(i) if off > 1e-6 => found.add(i, &frame.strands[i], "is no post of its contour"),
             Some(_) => {}

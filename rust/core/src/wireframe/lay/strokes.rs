@@ -11,7 +11,8 @@ const CONTACT: f64 = 0.5;
 /// Prints a zigzag; posts that the head cannot reach are left out. Returns the numbers of those that
 /// stand.
 ///
-/// `down` names the strokes between posts; none longer than `longest` mm is printed.
+/// `down` names the strokes between posts; none longer than `longest` mm is printed. A stroke up that
+/// is no longer than the strand is thick ends in touch with what it begins on, and needs no pause.
 pub fn zigzag_strokes(
     journal: &mut Journal,
     steps: &[ZigzagStep],
@@ -19,7 +20,8 @@ pub fn zigzag_strokes(
     down: Kind,
     longest: f64,
 ) -> Vec<usize> {
-    let contact_length = CONTACT * journal.obstacles.strand();
+    let touch = journal.obstacles.strand();
+    let contact_length = CONTACT * touch;
     let mut standing: Vec<usize> = Vec::new();
     for (number, step) in steps.iter().enumerate() {
         let Post { base, peak, .. } = step.post;
@@ -41,7 +43,7 @@ pub fn zigzag_strokes(
             }
         }
         if !bare {
-            journal.stroke(base, peak, up, true);
+            journal.stroke(base, peak, up, base.distance(peak) > touch);
         }
         standing.push(number);
     }
