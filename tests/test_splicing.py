@@ -168,3 +168,29 @@ def test_the_command_writes_what_is_certified_and_nothing_else(tmp_path, monkeyp
     run = CliRunner().invoke(cli.main, [*words, "-o", "base.gcode"])
     assert run.exit_code == 2
     assert (tmp_path / "base.gcode").read_bytes() == base
+
+
+def mushroom():
+    """A stem under a wide plate, in layers, and as a mesh."""
+    layers = Layers()
+    layers.plate(0, 0, 10, 10, 0.0, 12.0).plate(0, 0, 60, 30, 12.0, 13.0)
+    stem, cap = trimesh.creation.box((10, 10, 12)), trimesh.creation.box((60, 30, 2))
+    stem.apply_translation((0, 0, 6))
+    cap.apply_translation((0, 0, 13))
+    return layers.text(), wireprint.as_mesh(trimesh.util.concatenate([stem, cap]))
+
+
+def test_supports_alone_carry_layers_of_the_same_model():
+    layers, mesh = mushroom()
+    alone = wireprint.check(layers, SETTINGS)
+    assert alone.spans_over
+    found = splice(mesh, layers, SETTINGS, supports=True)
+    assert found.certificate.ok, found.certificate
+    names = np.array(found.certificate.core.features)[found.certificate.core.strand_features]
+    assert set(names) == {"solid infill", "support"}
+
+
+def test_a_model_that_needs_no_supports_is_told_so():
+    layers = Layers().plate(0, 0, 30, 30, 0.0, 2.0).text()
+    with pytest.raises(wireprint.UnprintableError, match="needs no supports"):
+        splice(box(30, 30, 10), layers, SETTINGS, supports=True)

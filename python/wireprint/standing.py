@@ -119,17 +119,29 @@ class Standing:
         origin_mm
             Where its x = y = z = 0 lies in the machine's coordinates, (3,).
         """
-        import numpy as np
+        return lying_along(frame, origin_mm, self.strands)
 
-        own = frame.strands + np.array(origin_mm)
-        if not len(own) or not len(self.strands):
-            return []
-        # A strand may have been written in two pieces, one with the air on: its ends are looked
-        # for, and whatever leads from one to the other.
-        cells = {_cell(end): True for ends in self.strands for end in ends}
-        near = [all(_known(cells, end) for end in ends) for ends in own]
-        covered = _along(own, np.flatnonzero(near), self.strands)
-        return [int(number) for number in covered]
+
+def lying_along(frame: Wireframe, origin_mm: Point, strands: npt.NDArray[np.float64]) -> list[int]:
+    """Return the numbers of a print's strands that lie along others from end to end, ascending.
+
+    Parameters
+    ----------
+    frame, origin_mm
+        See `Standing.printed_of`.
+    strands
+        The others, in the machine's coordinates, mm, shape (N, 2, 3).
+    """
+    import numpy as np
+
+    own = frame.strands + np.array(origin_mm)
+    if not len(own) or not len(strands):
+        return []
+    # A strand may have been written in two pieces, one with the air on: its ends are looked for,
+    # and whatever leads from one to the other.
+    cells = {_cell(end): True for ends in strands for end in ends}
+    near = [all(_known(cells, end) for end in ends) for ends in own]
+    return _along(own, np.flatnonzero(near), strands)
 
 
 def stopped_text(text: bytes, at: Stopped, settings: Settings) -> bytes:

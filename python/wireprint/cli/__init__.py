@@ -58,6 +58,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
         "splice",
         "Put wire between another slicer's layers.",
     ),
+    "body": ("wireprint.cli.body", "body", "Write strands as tubes that other slicers print."),
     "order": (
         "wireprint.cli.order",
         "order",

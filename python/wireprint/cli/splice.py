@@ -42,6 +42,11 @@ if TYPE_CHECKING:
     metavar="MM",
     help="Height of the layers that the model stands on; 0: the bed.",
 )
+@click.option(
+    "--only-supports",
+    is_flag=True,
+    help="Only what would carry the model, for layers of that very model.",
+)
 @click.option("--force", is_flag=True, help="Write the file even if it breaks the rules.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 def splice(
@@ -50,6 +55,7 @@ def splice(
     output: str,
     at_mm: tuple[float, float],
     lift_mm: float,
+    only_supports: bool,
     force: bool,
     as_json: bool,
     **options: Any,
@@ -74,7 +80,14 @@ def splice(
 
     settings = chosen.settings()
     text, name = read(layers)
-    found = spliced(load_mesh(model, **options), text, settings, at_mm=(*at_mm, lift_mm), name=name)
+    found = spliced(
+        load_mesh(model, **options),
+        text,
+        settings,
+        supports=only_supports,
+        at_mm=(*at_mm, lift_mm),
+        name=name,
+    )
     warnings = list(found.remarks)
     if not found.certificate.ok:
         reason = breaches(found.certificate, settings)

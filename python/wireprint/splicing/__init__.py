@@ -9,21 +9,20 @@ print, for the other program's does not know how high it has become.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from wireprint import _core, standing
-from wireprint._core import SettingError, Toolpath, UnprintableError
+from wireprint import standing
+from wireprint._core import KINDS, UnprintableError
 from wireprint.certificate import check
 from wireprint.fitting import fitted
-from wireprint.gcode import document, own_settings
-from wireprint.gcode.flavors import FLAVORS
-from wireprint.rules import rules_of
-from wireprint.splicing.runs import led, runs_of, without_priming
-from wireprint.stages import toolpath, wireframe
+from wireprint.gcode import document
+from wireprint.mending import ROUNDS
+from wireprint.splicing.handover import Layers
+from wireprint.splicing.runs import without_priming
+from wireprint.stages import origin_mm, toolpath, wireframe
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -31,18 +30,11 @@ if TYPE_CHECKING:
     from wireprint._core import Mesh, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
-    from wireprint.splicing.runs import Run
     from wireprint.verdict import Point
 
     Floats = npt.NDArray[np.float64]
 
-#: A fan's command, and which fan it is for.
-_FAN: Final = re.compile(rb"^(?:M106|M107)\b[^;\n]*", re.MULTILINE)
-_OTHER_FAN: Final = re.compile(rb"\bP[1-9]")
-_TYPE: Final = re.compile(rb"^;\s*TYPE:[^\n]*", re.MULTILINE)
-_SHIFTED: Final = (
-    "coordinates are relative, in inches, shifted or scaled there (G91, G20, G92, M200, M220, M221)"
-)
+_SUPPORT: Final = KINDS.index("support")
 
 
 @dataclass(frozen=True, repr=False)
@@ -71,6 +63,7 @@ def splice(
     layers: bytes,
     settings: Settings,
     *,
+    supports: bool = False,
     at_mm: Point = (0.0, 0.0, 0.0),
     name: str = "the other file",
 ) -> Spliced:
@@ -84,6 +77,8 @@ def splice(
         The G-code of the other program, for the same printer and nozzle.
     settings
         Printer and material; start and end are the other file's own.
+    supports
+        Whether only what would carry the model is wire, for layers of the same model.
     at_mm
         Where the middle of the model's foot stands, from the middle of the bed, mm; its z is the
         height of the layers that it stands on.
@@ -102,93 +97,55 @@ def splice(
     UnprintableError
         The model does not fit, nothing of it can be printed, or the other file prints nothing.
     """
-    rules = rules_of(settings)
-    core = _core.certify(layers, rules)
-    if not len(core.strands):
-        raise UnprintableError(f"{name}: it prints nothing that wire could be put between")
-    lines = layers.splitlines(keepends=True)
+    given = Layers(layers, name, settings)
     below = None
     if at_mm[2] > 0:
         text = standing.stopped_text(layers, standing.Stopped(z_mm=at_mm[2]), settings)
         below = standing.Standing(((name, text),), settings=settings)
     body = fitted(mesh, settings).mesh
     frame = wireframe(body, settings, None, below, at_mm)
-    path = without_priming(toolpath(frame, settings, below, at_mm))
-    if not len(path):
-        raise UnprintableError("nothing of the model can be printed as wire")
-    runs = list(runs_of(path, core, lines))
-    parts, remarks, done = [], dict[str, None](), 0
-    for run in runs:
-        before = b"".join(lines[: run.line])
-        more = run.line < int(core.strand_lines[-1])
-        parts += [b"".join(lines[done : run.line]), _joined(before)]
-        parts.append(_text(path, run, before, more, settings, rules, name, remarks))
-        done = run.line
-    rest = lines[done:]
-    if done >= int(core.strand_lines[-1]):
-        parts.append(document.ending(path.top_mm, settings))
-        rest = [line for line in rest if line.startswith(b";")]
-    block = own_settings.block(settings).encode() + b"\n"
-    text = b"".join([*parts, block, *rest])
-    certificate = check(text, settings, body, deviation=False, at_mm=at_mm)
-    heights = sorted({float(path.to[run.moves[0], 2]) for run in runs})
+    if supports:
+        frame = _carrying(frame)
+    # Who wants supports alone does not ask how much of the model is wire.
+    model = None if supports else body
+    left_out = 0
+    for _ in range(ROUNDS):
+        path = without_priming(toolpath(frame, settings, below, at_mm))
+        if not len(path):
+            raise UnprintableError("nothing of the model can be printed as wire")
+        text, heights = given.with_wire(path)
+        certificate = check(text, settings, model, deviation=False, at_mm=at_mm)
+        barred = _barred(frame, certificate, origin_mm(settings, at_mm)) if supports else []
+        if not barred or len(barred) == frame.strand_count:
+            break
+        # What it is tied to is the model's own wire, which is not printed.
+        left_out += len(barred)
+        frame = frame.beyond(barred)
+    remarks = list(given.remarks)
+    if left_out:
+        remarks.append(
+            f"{left_out} strands of supports are left out where the layers need the room"
+        )
     time_s = document.timing(text, settings).total_s
-    return Spliced(settings, body, frame, text, certificate, time_s, tuple(heights), tuple(remarks))
+    return Spliced(settings, body, frame, text, certificate, time_s, heights, tuple(remarks))
 
 
-def _joined(before: bytes) -> bytes:
-    return b"" if before.endswith(b"\n") or not before else b"\n"
-
-
-def _text(
-    path: Toolpath,
-    run: Run,
-    before: bytes,
-    more: bool,
-    settings: Settings,
-    rules: dict[str, Any],
-    name: str,
-    remarks: dict[str, None],
-) -> bytes:
-    """Return a run as text: out of the other program's hands, and back into them."""
-    at, extruder, relative, feed_mm_s, plain = _core.modes_after(before, rules)
-    if not plain:
-        raise SettingError(f"{name}, line {run.line}: {_SHIFTED}; wire cannot be put in")
-    own = document.moves(led(path, run, at, more, settings), settings)
-    modes = document.modes(settings)
-    gentle, usual = document.bed_limits(settings)
-    fan = _last(_FAN, before, lambda found: not _OTHER_FAN.search(found))
-    air_off = FLAVORS[settings.printer.gcode.flavor].air(settings.printer.cooling)[1]
-    blows = fan is not None and fan.startswith(b"M106") and bool(air_off)
-    back = [f"G92 E{extruder:.5f}\n{'M83' if relative else 'M82'}\n".encode(), usual.encode()]
-    if b"M106" in own or b"M107" in own or blows:
-        back.append((fan or b"M107") + b"\n")
-    for line in (*modes.splitlines(), *gentle.splitlines()):
-        word = line.split()[0]
-        if word.startswith(("G", "M82", "M83")):
-            continue
-        earlier = _last(re.compile(rb"^%s\b[^;\n]*" % word.encode(), re.MULTILINE), before)
-        if earlier is not None:
-            back.append(earlier + b"\n")
-        elif line in modes:
-            remarks[f"{name} never says {word}: it stays as the wire has it, {line}"] = None
-    label = _last(_TYPE, before)
-    parts = [
-        b";WIPE_END\n" if before.rfind(b";WIPE_START") > before.rfind(b";WIPE_END") else b"",
-        f"; wire of wireprint begins\n{modes}{gentle}{air_off if blows else ''}".encode(),
-        own,
-        *back,
-        f"G1 F{max(1, round(feed_mm_s * 60))}\n".encode(),
-        b"" if label is None else label + b"\n",
-        b"; wire of wireprint ends\n",
-    ]
-    return b"".join(parts)
-
-
-def _last(pattern: re.Pattern[bytes], text: bytes, counts: Any = lambda _: True) -> bytes | None:
-    """Return the last match that counts, without the blanks at its end."""
-    found = None
-    for match in pattern.finditer(text):
-        if counts(match[0]):
-            found = match[0].strip()
+def _carrying(frame: Wireframe) -> Wireframe:
+    """Return the supports of a print alone."""
+    found = frame.beyond(np.flatnonzero(frame.strand_kinds != _SUPPORT).tolist())
+    if not found.strand_count:
+        raise UnprintableError("the model needs no supports: print its layers as they are")
     return found
+
+
+def _barred(frame: Wireframe, certificate: Certificate, origin_mm: Point) -> list[int]:
+    """Return the strands of supports that layers run into, and those that hang."""
+    core = certificate.core
+    lines = {hit.hit_line for hit in certificate.collisions}
+    lines |= {end.line for end in (*certificate.floating_starts, *certificate.dangling_ends)}
+    lines |= {hit.line for hit in certificate.collisions}
+    lines |= {span.line for span in certificate.spans_over}
+    named = [number for number, name in enumerate(core.features) if name == KINDS[_SUPPORT]]
+    blamed = np.isin(core.strand_lines, [line for line in lines if line is not None])
+    blamed &= np.isin(core.strand_features, named)
+    return standing.lying_along(frame, origin_mm, core.strands[blamed])

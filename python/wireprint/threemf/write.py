@@ -5,12 +5,18 @@ from __future__ import annotations
 import io
 import zipfile
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
+from xml.sax.saxutils import quoteattr
 
+import numpy as np
+
+from wireprint.text import one_line
 from wireprint.threemf.scene import MODEL_TYPE, RELATIONSHIPS, USUAL_MODEL
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
+
+    import numpy.typing as npt
 
     from wireprint._core import Mesh
 
@@ -19,6 +25,9 @@ CORE: Final = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 #: The earliest time that a zip archive can state.
 _TIME = (1980, 1, 1, 0, 0, 0)
 _DEFLATE_LEVEL = 6
+#: Where PrusaSlicer keeps which facets are which part, and what the package calls that.
+_PARTS: Final = "Metadata/Slic3r_PE_model.config"
+_PARTS_KIND: Final = "https://github.com/prusa3d/PrusaSlicer/3mf-parts"
 _XML = '<?xml version="1.0" encoding="UTF-8"?>\n'
 _PACKAGE = "http://schemas.openxmlformats.org/package/2006"
 _MODEL_CONTENT = "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"
@@ -37,15 +46,55 @@ class Extra:
     content: bytes
 
 
+@dataclass(frozen=True)
+class Body:
+    """A body of an assembly."""
+
+    name: str
+    #: Corners, mm, shape (V, 3), and facets, counter-clockwise from outside, shape (F, 3).
+    vertices: npt.NDArray[np.float64]
+    faces: npt.NDArray[np.integer[Any]]
+
+
+def assembly(bodies: Sequence[Body]) -> bytes:
+    """Return a 3MF file of one object with a part for each body, each in its place.
+
+    PrusaSlicer and its kin are told in their own form which facets are which part: what the core
+    specification has for it, components, they take for objects of their own, and PrusaSlicer 2.5
+    ends there. All others find the whole as one mesh.
+    """
+    starts = np.cumsum([0, *(len(body.vertices) for body in bodies)])
+    vertices = np.concatenate([body.vertices for body in bodies])
+    shifted = [body.faces + start for body, start in zip(bodies, starts, strict=False)]
+    config = Extra(_PARTS, "text/xml", _PARTS_KIND, "".join(_parts(bodies)).encode())
+    return _zipped("".join(_model(vertices, np.concatenate(shifted))), config)
+
+
+def _parts(bodies: Sequence[Body]) -> Iterator[str]:
+    yield f'{_XML}<config>\n<object id="1" instances_count="1">\n'
+    first = 0
+    for body in bodies:
+        last = first + len(body.faces) - 1
+        yield f'<volume firstid="{first}" lastid="{last}">\n'
+        yield f'<metadata type="volume" key="name" value={quoteattr(one_line(body.name))}/>\n'
+        yield '<metadata type="volume" key="volume_type" value="ModelPart"/>\n</volume>\n'
+        first = last + 1
+    yield "</object>\n</config>\n"
+
+
 def package(mesh: Mesh, extra: Extra) -> bytes:
     """Return a 3MF file: a mesh in mm, and another part.
 
     Coordinates are written so that reading them gives the very same numbers.
     """
+    return _zipped("".join(_model(mesh.vertices, mesh.faces)), extra)
+
+
+def _zipped(model: str, extra: Extra) -> bytes:
     parts = {
         "[Content_Types].xml": _content_types(extra).encode(),
         RELATIONSHIPS: _relationships(extra).encode(),
-        USUAL_MODEL: "".join(_model(mesh)).encode(),
+        USUAL_MODEL: model.encode(),
         extra.name: extra.content,
     }
     file = io.BytesIO()
@@ -76,13 +125,13 @@ def _relationships(extra: Extra) -> str:
     )
 
 
-def _model(mesh: Mesh) -> Iterator[str]:
+def _model(vertices: npt.NDArray[np.float64], faces: npt.NDArray[Any]) -> Iterator[str]:
     yield f'{_XML}<model unit="millimeter" xml:lang="en-US" xmlns="{CORE}">\n<resources>\n'
     yield '<object id="1" type="model">\n<mesh>\n<vertices>\n'
-    for x, y, z in mesh.vertices.tolist():
+    for x, y, z in vertices.tolist():
         yield f'<vertex x="{x!r}" y="{y!r}" z="{z!r}"/>\n'
     yield "</vertices>\n<triangles>\n"
-    for a, b, c in mesh.faces.tolist():
+    for a, b, c in faces.tolist():
         yield f'<triangle v1="{a}" v2="{b}" v3="{c}"/>\n'
     yield "</triangles>\n</mesh>\n</object>\n</resources>\n"
     yield '<build>\n<item objectid="1"/>\n</build>\n</model>\n'
