@@ -79,5 +79,5 @@ def test_a_print_is_measured_once(tmp_path, monkeypatch):
     found = sturdiness.stiffness(made.gcode, 0.7, 2200.0, most_s=300)
     assert found["posts"] == made.wireframe.post_count
     assert found["pinch_x_n_mm"] == pytest.approx(found["pinch_y_n_mm"], rel=0.5)
-    monkeypatch.setattr(sturdiness, "tool", None)
+    monkeypatch.setattr(sturdiness.subprocess, "run", pytest.fail)  # the tool
     assert sturdiness.stiffness(made.gcode, 0.7, 2200.0, most_s=300) == found
