@@ -220,6 +220,17 @@ fn what_rises_slowly_has_cooled_on_the_way() {
     for (pause, _) in pauses(30.0, 100.0) {
         assert!((pause - (PARAMS.pause - late)).abs() < 1e-9, "{pause}");
     }
+    // In between, told by small steps backwards from where it stands: as fast as it may be there.
+    for (speed, accel) in [(12.0_f64, 60.0), (20.0, 150.0), (8.0, 400.0), (29.0, 90.0)] {
+        let steps = 200_000;
+        let step = 6.0 * 0.7 / f64::from(steps);
+        let fastest = |i: i32| speed.min((2.0 * accel * (f64::from(i) + 0.5) * step).sqrt());
+        let late = (0..steps).map(|i| step / fastest(i) - step / 30.0).sum::<f64>();
+        for (pause, _) in pauses(speed, accel) {
+            let wanted = PARAMS.pause - late.min(0.5 * PARAMS.pause);
+            assert!((pause - wanted).abs() < 1e-3, "{pause}, not {wanted}");
+        }
+    }
     // No machine waits longer than the strand needs, nor less than half of it.
     for (speed, accel) in [(200.0, 1e5), (30.0, 1e9), (0.1, 1.0)] {
         for (pause, length) in pauses(speed, accel) {
@@ -442,6 +453,20 @@ fn brim_rings_lie_a_strand_apart_and_a_strand_from_the_contour() {
                 // Corners are rounded by short chords, which cut in by a few hundredths of a mm.
                 assert!((distance(other, point) - apart).abs() < 0.05, "{i} {j} {point}");
             }
+        }
+    }
+}
+
+#[test]
+fn rings_of_a_skirt_lie_a_strand_apart_the_farthest_first() {
+    let p = PathParams { skirt_rings: 4, strand: 0.5, ..PARAMS };
+    let path = plan(&square(0.0, 20.0), &p);
+    let (skirt, contours) = (rings(&path, Kind::Skirt), rings(&path, Kind::Contour));
+    assert_eq!((skirt.len(), contours.len()), (4, 1));
+    for (i, ring) in skirt.iter().enumerate() {
+        let apart = p.skirt_gap + (3 - i) as f64 * p.strand;
+        for &point in ring {
+            assert!((distance(&contours[0], point) - apart).abs() < 0.05, "{i} {point}");
         }
     }
 }

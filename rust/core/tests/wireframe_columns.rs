@@ -129,6 +129,20 @@ fn a_later_column_goes_on_from_one_below_it() {
 }
 
 #[test]
+fn where_more_is_wanted_at_the_level_that_a_column_ends_at_another_one_rises_beside_it() {
+    let mut propped = sliced(&hall());
+    let level = propped.levels.iter().position(|l| (l.z - 40.0).abs() < 0.7).unwrap();
+    let need = Need { level, place: DVec2::new(70.0, 0.0), urgent: true };
+    assert!(add(&mut propped, &[need], &[], &head(), &wire()));
+    assert!(add(&mut propped, &[need], &[], &head(), &wire()));
+    let [one, other] = &propped.columns[..] else { panic!("{} columns", propped.columns.len()) };
+    for column in [one, other] {
+        assert!(column.first < level && column.level == level, "{column:?}");
+    }
+    assert!(one.place.distance(other.place) > 8.0);
+}
+
+#[test]
 fn a_thin_plate_under_a_tower_is_a_sheet_on_the_bed() {
     let tower = revolved(&[(40.0, 0.0), (40.0, 1.0), (10.0, 1.0), (10.0, 30.0)], 48);
     let sliced = sliced(&tower);

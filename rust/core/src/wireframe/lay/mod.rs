@@ -25,7 +25,7 @@ pub mod order;
 pub mod pairs;
 pub mod ring;
 #[cfg(test)]
-mod scene;
+pub mod scene;
 pub mod slab;
 pub mod stand;
 pub mod strokes;

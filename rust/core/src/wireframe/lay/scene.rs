@@ -20,8 +20,11 @@ use crate::wireframe::regions::layered::Layered;
 
 /// Slices, what of them is layers, and the printer.
 pub struct Scene {
+    /// The slices.
     pub sliced: Sliced,
+    /// What of them is layers.
     pub layered: Layered,
+    /// The printer.
     pub printer: Printer,
 }
 

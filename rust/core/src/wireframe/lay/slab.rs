@@ -233,3 +233,6 @@ fn is_in_the_way(curve: &Curve, order: &Waiting, reach: f64) -> bool {
 fn leans(strip: &Strip) -> bool {
     strip.plan.abs() > LEANING * strip.area
 }
+
+#[cfg(test)]
+mod tests;

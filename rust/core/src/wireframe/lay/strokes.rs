@@ -49,3 +49,6 @@ pub fn zigzag_strokes(
     }
     standing
 }
+
+#[cfg(test)]
+mod tests;

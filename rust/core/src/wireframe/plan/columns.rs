@@ -402,3 +402,6 @@ fn push(contours: &mut Vec<Contour>, ring: &Contour) -> u32 {
     contours.push(ring.clone());
     (contours.len() - 1) as u32
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use glam::DVec3;
+
 use super::*;
 use crate::printer::Printer;
 use crate::solids::Random;
@@ -26,18 +28,25 @@ fn hairpin(gap: f64) -> Curve {
 }
 
 fn clear(head: &Head, a: &Post, b: &Post) -> bool {
-    let apart = |a: &Post, b: &Post| a.peak.truncate().distance(b.base.truncate());
-    apart(a, b).min(apart(b, a)) >= head.clearance(HEIGHT) - 1e-9
+    let keeps = |peak: DVec3, base: DVec3| {
+        let apart = peak.truncate().distance(base.truncate());
+        apart >= head.clearance(peak.z - base.z) - 1e-9
+    };
+    keeps(a.peak, b.base) && keeps(b.peak, a.base)
 }
 
 #[test]
 fn posts_that_are_not_clear_of_earlier_ones_move_to_the_nearest_free_place_or_go() {
     let (head, mut random) = (Printer::paper().head, Random(23));
     let (mut moved, mut gone) = (0, 0);
-    for _ in 0..150 {
+    for turn in 0..300 {
         let curve = hairpin(random.between(2.0, 8.0));
         let places: Vec<f64> = (0..120).map(|i| curve.length() * f64::from(i) / 120.0).collect();
-        let candidates = all(&curve, &places);
+        let mut candidates = all(&curve, &places);
+        // Half the time some stand on what lies higher: what is clear of one post may bar another.
+        for candidate in candidates.iter_mut().filter(|_| turn % 2 == 0) {
+            candidate.post.base.z = random.between(-0.6, 0.6).max(0.0) * HEIGHT;
+        }
         let step = 13 + (random.unit() * 6.0) as usize;
         let posts: Vec<Post> = candidates.iter().step_by(step).map(|c| c.post).collect();
         let found = settle(&posts, &candidates, &head);
