@@ -537,6 +537,7 @@ def wireframe(
     params: Mapping[str, object],
     layered: _Layered | None = None,
     standing: npt.NDArray[np.float64] | None = None,
+    plain: Wireframe | None = None,
 ) -> Wireframe: ...
 def nearest(
     places: npt.NDArray[np.float64], among: npt.NDArray[np.float64]

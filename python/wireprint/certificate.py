@@ -6,7 +6,7 @@ with the judge itself, ``rust/core/src/check``.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
 
@@ -94,6 +94,27 @@ class Certificate:
     fidelity: Fidelity | None
     #: The core's verdict, with all strands as arrays.
     core: _core.Certificate
+    #: Kinds of strands that a comparison with a model leaves out.
+    aside: frozenset[str]
+
+    def compared(self, model: _core.Mesh, *, deviation: bool = True) -> Certificate:
+        """Return the verdict with a comparison with a model, as `check` gives it.
+
+        Parameters
+        ----------
+        model
+            Mesh to compare with, placed as `slice` places it: in the middle of the bed.
+        deviation
+            Whether to measure how far strands lie from it, too, not only what they cover.
+
+        Returns
+        -------
+        Certificate
+            The same verdict, with `fidelity`.
+        """
+        settings, at_mm = self.judge.settings, (0.0, 0.0, 0.0)
+        found = _fidelity(self.core, model, at_mm, settings, self.aside, deviation)
+        return replace(self, fidelity=found)
 
     @property
     def printer(self) -> str:
@@ -347,7 +368,7 @@ def check(
         raise GcodeError(f"{name}: it moves nothing: if it was cut off, write it again; {NO_GCODE}")
     aside = ASIDE if text.startswith(OWN_MARK) else FOREIGN_ASIDE
     fidelity = None if model is None else _fidelity(core, model, at_mm, settings, aside, deviation)
-    return Certificate(judge, rules, fidelity, core)
+    return Certificate(judge, rules, fidelity, core, aside)
 
 
 def _fidelity(

@@ -13,7 +13,7 @@ from wireprint._core import Mesh, SettingError, UnprintableError
 from wireprint.certificate import check
 from wireprint.files import written_whole
 from wireprint.fitting import fitted, placed
-from wireprint.gcode import document
+from wireprint.gcode import document, file
 from wireprint.slimness import strand_of
 from wireprint.stages import origin_mm, toolpath, wireframe
 from wireprint.timing import Filament
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from wireprint._core import Estimate, Toolpath, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.gcode.document import Thumbnail
+    from wireprint.gcode.file import Written
     from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.sketch import Sketch
     from wireprint.inputs import ModelLike
@@ -271,6 +272,11 @@ def make(
     def judged(text: bytes) -> Certificate:
         return check(text, settings, body, deviation=compare, standing=standing, at_mm=at_mm)
 
+    def written(path: Toolpath) -> Written:
+        remarks = [] if orientation is None else [str(orientation)]
+        remarks += [str(place)] if place.turn_deg else []
+        return _written(path, settings, date, remarks)
+
     if region and (standing is not None or at_mm != (0.0, 0.0, 0.0)):
         raise SettingError("marks cannot be printed as layers onto what stands already")
     clock = clock or Clock()
@@ -296,7 +302,8 @@ def make(
         with clock.stage("regions"):
             x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
             moved = region.transformed(motion(given, body, (x, y, z + place.turn_deg)))
-            regions = proved(kept or _sketch(body, planned, settings), moved, clock.step)
+            sketch = kept or _sketch(body, planned, settings)
+            regions = proved(sketch, moved, clock.step, write=written)
             strands = regions.wireframe
     if not strands.strand_count:
         left_out = report.unprinted(strands.unprinted, None, settings)
@@ -307,13 +314,14 @@ def make(
         else:
             path = toolpath(strands, settings, standing, at_mm)
     with clock.stage("gcode"):
-        remarks = [] if orientation is None else [str(orientation)]
-        remarks += [str(place)] if place.turn_deg else []
-        gcode, estimate = _written(path, settings, date, remarks)
+        gcode, estimate = written(path) if regions is None else regions.written
     certificate = None
     if certify:
         with clock.stage("check"):
-            certificate = judged(gcode)
+            if regions is None:
+                certificate = judged(gcode)
+            else:
+                certificate = regions.verdict.compared(body, deviation=compare)
         if not certificate.ok:
             from wireprint.mending import mended
 
@@ -321,9 +329,15 @@ def make(
                 left = mended(strands, certificate, settings, standing, at_mm)
             if left is not None:
                 strands, path = left, toolpath(left, settings, standing, at_mm)
-                regions = regions and replace(regions, wireframe=strands, toolpath=path)
-                gcode, estimate = _written(path, settings, date, remarks)
+                gcode, estimate = mended_file = written(path)
                 certificate = judged(gcode)
+                regions = regions and replace(
+                    regions,
+                    wireframe=strands,
+                    toolpath=path,
+                    written=mended_file,
+                    verdict=certificate,
+                )
     places = None
     if weak:
         from wireprint.weakness import find_weak
@@ -425,7 +439,7 @@ def to_gcode(
     UnprintableError
         A figure of a move is not finite.
     """
-    return _written(toolpath, settings, date, remarks)[0]
+    return _written(toolpath, settings, date, remarks).text
 
 
 def write_gcode(
@@ -470,15 +484,10 @@ def write_gcode(
 
 def _written(
     path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
-) -> tuple[bytes, Estimate]:
+) -> Written:
     # The pictures take as long as all the text: they are drawn beside it.
     thumbnails = _thumbnails(path, settings)
-    text, estimate = document.timed(document.commands(path, settings), settings)
-    layers = text.count(b";LAYER_CHANGE\n")
-    footer = document.footer(settings, estimate.filament_mm, estimate.total_s, layers)
-    date = date or document.dated(None)
-    header = document.header(settings, date, thumbnails(), remarks)
-    return b"".join((header, text, footer)), estimate
+    return file.write(path, settings, date, thumbnails, remarks)
 
 
 def _thumbnails(path: Toolpath, settings: Settings) -> Callable[[], list[Thumbnail]]:

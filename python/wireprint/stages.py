@@ -25,6 +25,7 @@ def wireframe(
     layered: _Layered | None = None,
     standing: Standing | None = None,
     at_mm: Point = (0.0, 0.0, 0.0),
+    plain: Wireframe | None = None,
 ) -> Wireframe:
     """Slice a mesh and lay its strands.
 
@@ -39,6 +40,9 @@ def wireframe(
     standing, at_mm
         What stands on the bed already, which the head keeps clear of, and where the model does,
         from the middle of the bed, mm.
+    plain
+        The same without layers, where it is at hand: with it the print is made sooner, and is the
+        same.
 
     Returns
     -------
@@ -53,7 +57,7 @@ def wireframe(
     head = settings.printer.head.model_dump()
     wire = settings.wire.model_dump() | _of_wire(settings)
     strands = None if standing is None else standing.about(origin_mm(settings, at_mm))
-    return _core.wireframe(mesh, head, wire, layered, strands)
+    return _core.wireframe(mesh, head, wire, layered, strands, plain)
 
 
 def origin_mm(settings: Settings, at_mm: Point) -> Point:

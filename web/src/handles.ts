@@ -16,27 +16,15 @@ import {
   SphereGeometry,
   Vector3,
 } from "three";
-import type { Item, Point, Rows, Shape } from "./protocol";
+import { handlesOf, type Handle } from "./knobs";
+import { outlineOf, type Solid } from "./outlines";
+import type { Item, Rows } from "./protocol";
 import { palette } from "./theme";
 import type { View } from "./view";
-
-type Solid = Exclude<Shape, { kind: "stroke" }>;
 
 /** A handle is so large on the screen, and caught from so far, pixels. */
 const SIZE_PX = 6;
 const CATCH_PX = 16;
-const AROUND = 64;
-/** Sizes and places are set to this, mm. */
-const DIGITS = 100;
-const LEAST_MM = 0.2;
-
-/** Something to pull at, in the shape's own frame. */
-interface Handle {
-  at: Vector3;
-  /** The line that it moves along; null: the plane that faces the viewer. */
-  axis: Vector3 | null;
-  pulled: (to: Vector3) => Solid;
-}
 
 export class Handles {
   private readonly group = new Group();
@@ -190,154 +178,4 @@ function alongAxis(ray: Ray, at: Vector3, axis: Vector3): Vector3 | null {
 function matrixOf(rows: Rows | null): Matrix4 {
   if (!rows) return new Matrix4();
   return new Matrix4().set(...([...rows.flat(), 0, 0, 0, 1] as Parameters<Matrix4["set"]>));
-}
-
-function rounded(number: number): number {
-  return Math.round(number * DIGITS) / DIGITS;
-}
-
-function point(vector: Vector3): Point {
-  return vector.toArray().map(rounded) as Point;
-}
-
-function handlesOf(shape: Solid, model: Box3): Handle[] {
-  const centre = model.getCenter(new Vector3());
-  switch (shape.kind) {
-    case "box": {
-      const [low, high] = [new Vector3(...shape.low_mm), new Vector3(...shape.high_mm)];
-      const middle = low.clone().add(high).multiplyScalar(0.5);
-      const faces = ([0, 1, 2] as const).flatMap((axis) =>
-        ([0, 1] as const).map((side): Handle => {
-          const unit = new Vector3().setComponent(axis, 1);
-          const at = middle.clone().setComponent(axis, (side ? high : low).getComponent(axis));
-          return {
-            at,
-            axis: unit,
-            pulled: (to) => {
-              const [newLow, newHigh] = [low.clone(), high.clone()];
-              const place = to.getComponent(axis);
-              if (side) newHigh.setComponent(axis, Math.max(place, low.getComponent(axis) + LEAST_MM));
-              else newLow.setComponent(axis, Math.min(place, high.getComponent(axis) - LEAST_MM));
-              return { kind: "box", low_mm: point(newLow), high_mm: point(newHigh) };
-            },
-          };
-        }),
-      );
-      const whole: Handle = {
-        at: middle,
-        axis: null,
-        pulled: (to) => {
-          const by = to.clone().sub(middle);
-          return { kind: "box", low_mm: point(low.clone().add(by)), high_mm: point(high.clone().add(by)) };
-        },
-      };
-      return [...faces, whole];
-    }
-    case "sphere": {
-      const middle = new Vector3(...shape.centre_mm);
-      const sizes = [new Vector3(1, 0, 0), new Vector3(0, 0, 1), new Vector3(0, -1, 0)].map(
-        (axis): Handle => ({
-          at: middle.clone().addScaledVector(axis, shape.radius_mm),
-          axis,
-          pulled: (to) => ({ ...shape, radius_mm: Math.max(rounded(to.distanceTo(middle)), LEAST_MM) }),
-        }),
-      );
-      return [...sizes, { at: middle, axis: null, pulled: (to) => ({ ...shape, centre_mm: point(to) }) }];
-    }
-    case "z": {
-      const axis = new Vector3(0, 0, 1);
-      const low = shape.low_mm ?? model.min.z;
-      const high = shape.high_mm ?? model.max.z;
-      return [
-        {
-          at: centre.clone().setZ(low),
-          axis,
-          pulled: (to) => ({ ...shape, low_mm: rounded(Math.min(to.z, high - LEAST_MM)) }),
-        },
-        {
-          at: centre.clone().setZ(high),
-          axis,
-          pulled: (to) => ({ ...shape, high_mm: rounded(Math.max(to.z, low + LEAST_MM)) }),
-        },
-      ];
-    }
-    case "half": {
-      const { normal, foot, reach } = plane(shape, model);
-      return [
-        { at: foot, axis: normal, pulled: (to) => ({ ...shape, offset_mm: rounded(to.dot(normal)) }) },
-        {
-          at: foot.clone().addScaledVector(normal, 0.5 * reach),
-          axis: null,
-          pulled: (to) => {
-            const turned = to.clone().sub(foot);
-            if (turned.length() < 1e-3) return shape;
-            turned.normalize();
-            const kept = turned.toArray().map((number) => Math.round(number * 1e4) / 1e4) as Point;
-            return { kind: "half", normal: kept, offset_mm: rounded(new Vector3(...kept).normalize().dot(foot)) };
-          },
-        },
-      ];
-    }
-  }
-}
-
-/** A half-space's unit normal, its plane's point nearest to the model's middle, and the model's reach. */
-function plane(shape: Extract<Solid, { kind: "half" }>, model: Box3) {
-  const normal = new Vector3(...shape.normal).normalize();
-  const centre = model.getCenter(new Vector3());
-  const foot = centre.clone().addScaledVector(normal, shape.offset_mm - normal.dot(centre));
-  return { normal, foot, reach: model.getSize(new Vector3()).length() / 2 };
-}
-
-/** Ends of the lines that show a shape, in its own frame. */
-function outlineOf(shape: Solid, model: Box3): number[] {
-  switch (shape.kind) {
-    case "box":
-      return boxEdges(new Vector3(...shape.low_mm), new Vector3(...shape.high_mm));
-    case "sphere": {
-      const middle = new Vector3(...shape.centre_mm);
-      const unit = (axis: number) => new Vector3().setComponent(axis, shape.radius_mm);
-      return [0, 1, 2].flatMap((axis) => circle(middle, unit(axis), unit((axis + 1) % 3)));
-    }
-    case "z": {
-      const [low, high] = [model.min.clone(), model.max.clone()];
-      const wider = 0.06 * high.distanceTo(low);
-      low.subScalar(wider).setZ(shape.low_mm ?? model.min.z);
-      high.addScalar(wider).setZ(shape.high_mm ?? model.max.z);
-      return boxEdges(low, high);
-    }
-    case "half": {
-      const { normal, foot, reach } = plane(shape, model);
-      const across = new Vector3(0, 0, 1).cross(normal);
-      if (across.length() < 1e-6) across.set(1, 0, 0);
-      across.setLength(reach);
-      const along = normal.clone().cross(across);
-      const corners = [
-        [1, 1],
-        [-1, 1],
-        [-1, -1],
-        [1, -1],
-      ].map(([u, v]) => foot.clone().addScaledVector(across, u!).addScaledVector(along, v!));
-      const edge = corners.flatMap((corner, i) => [...corner.toArray(), ...corners[(i + 1) % 4]!.toArray()]);
-      return [...edge, ...foot.toArray(), ...foot.clone().addScaledVector(normal, 0.5 * reach).toArray()];
-    }
-  }
-}
-
-function circle(middle: Vector3, u: Vector3, v: Vector3): number[] {
-  const at = (i: number) => {
-    const turn = (2 * Math.PI * i) / AROUND;
-    return middle.clone().addScaledVector(u, Math.cos(turn)).addScaledVector(v, Math.sin(turn)).toArray();
-  };
-  return Array.from({ length: AROUND }, (_, i) => [...at(i), ...at(i + 1)]).flat();
-}
-
-function boxEdges(low: Vector3, high: Vector3): number[] {
-  const corner = (bits: number) =>
-    [0, 1, 2].map((axis) => ((bits >> axis) & 1 ? high : low).getComponent(axis));
-  const found: number[] = [];
-  for (let bits = 0; bits < 8; bits++)
-    for (let axis = 0; axis < 3; axis++)
-      if (!((bits >> axis) & 1)) found.push(...corner(bits), ...corner(bits | (1 << axis)));
-  return found;
 }

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     Floats = npt.NDArray[np.float64]
     Ints = npt.NDArray[np.int64]
+    Bools = npt.NDArray[np.bool_]
 
 #: From strand to strand, and to the rim, as a part of the farthest that still touches.
 _TOUCH = 0.9
@@ -30,6 +31,8 @@ _TOUCH = 0.9
 _MOST = 16
 #: Strands nearer to a wall than this part of their distance from each other are left to it.
 _DOUBLE = 0.15
+#: Points along a wall by which it is told whether it is loose are so many steps apart.
+_SAMPLED = 0.4
 #: Pieces shorter than this many line widths are left out.
 _SHORTEST = 1.0
 
@@ -56,10 +59,14 @@ def aprons(
     # Below lie the walls of the last layer, and at a slab's foot the rims of the wire.
     rims = np.where(cut.is_last()[layers - 1], shapely.boundary(below), outer[layers - 1])
     rims = shapely.union(rims, outer[layers - 1])
+    unsure = _leaves(outer[layers], rims, step)
+    layers, step = layers[unsure], step[unsure]
+    below, rims = below[unsure], rims[unsure]
     loose = shapely.difference(outer[layers], buffered(rims, step))
     # Walls that close in find the fill of the layer below under them, where there is one.
     closing = shapely.intersection(loose, below)
-    inner = buffered(walls[layers - 1], _MOST * step)
+    inner = np.where(shapely.is_empty(closing), closing, walls[layers - 1])
+    inner = buffered(inner, _MOST * step)
     loose = shapely.union(shapely.difference(loose, below), shapely.difference(closing, inner))
     near = shapely.distance(loose, rims) < _MOST * step
     wanted = near & (shapely.length(loose) > _SHORTEST * recipe.width_mm)
@@ -81,6 +88,20 @@ def aprons(
         least_mm = _SHORTEST * recipe.width_mm
         groups.append(Group.of_strings(strings, layers, least_mm, is_inside=True))
     return groups
+
+
+def _leaves(lines: Geometries, rims: Geometries, step_mm: Floats) -> Bools:
+    """Tell which lines may have a part that is farther than a step from the rims of their layer.
+
+    That no part is can be told from points along them, which is much sooner done than to grow the
+    rims: nothing of a line is farther away than the nearest point is by half of what parts points.
+    """
+    apart_mm = _SAMPLED * step_mm
+    points, line = shapely.get_coordinates(shapely.segmentize(lines, apart_mm), return_index=True)
+    shapely.prepare(rims)
+    near = shapely.dwithin(shapely.points(points), rims[line], (step_mm - apart_mm / 2)[line])
+    found: Bools = np.bincount(line, ~near, len(lines)) > 0
+    return found
 
 
 def _reach(loose: shapely.Geometry, rims: shapely.Geometry) -> float:

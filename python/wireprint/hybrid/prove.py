@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from wireprint._core import KINDS
 from wireprint.certificate import check
-from wireprint.gcode import document
+from wireprint.gcode import file
 from wireprint.hybrid.plan import Plan
 from wireprint.stages import toolpath, wireframe
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
     from wireprint._core import Toolpath, Wireframe
     from wireprint.certificate import Certificate
+    from wireprint.gcode.file import Written
     from wireprint.hybrid.sketch import Sketch
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -70,6 +72,9 @@ class Proved:
     toolpath: Toolpath
     #: How many prints were tried.
     rounds: int
+    #: The file, and the verdict on it.
+    written: Written
+    verdict: Certificate
 
     @property
     def runs(self) -> dict[str, npt.NDArray[Any]]:
@@ -96,7 +101,10 @@ class Proved:
 
 
 def proved(
-    sketch: Sketch, region: Region, on_step: Callable[[str], None] = lambda _: None
+    sketch: Sketch,
+    region: Region,
+    on_step: Callable[[str], None] = lambda _: None,
+    write: Callable[[Toolpath], Written] | None = None,
 ) -> Proved:
     """Print a region as layers, without the runs that break the rules.
 
@@ -108,6 +116,8 @@ def proved(
         What is marked, in the mesh's coordinates.
     on_step
         Called before each step with its name; it may raise to give up.
+    write
+        Makes the file that is judged; default: one without pictures.
 
     Notes
     -----
@@ -116,6 +126,7 @@ def proved(
     many rounds, all are.
     """
     mesh, settings = sketch.mesh, sketch.settings
+    write = write or partial(file.write, settings=settings)
     on_step("marks")
     plan = Plan.of(sketch, region)
     for rounds in range(1, _ROUNDS + 1):
@@ -124,17 +135,20 @@ def proved(
         if layered is None:
             break
         on_step(f"wire beside layers, round {rounds}")
-        strands = wireframe(mesh, settings, layered)
+        strands = wireframe(mesh, settings, layered, plain=sketch.plain)
         path = toolpath(strands, settings)
         on_step(f"proof, round {rounds}")
-        verdict = check(document.body(path, settings, document.dated(None)), settings)
+        written = write(path)
+        verdict = check(written.text, settings)
         blamed, hollow = _blamed(plan, verdict, settings)
         if not (blamed or hollow):
-            return Proved(plan, strands, path, rounds)
+            return Proved(plan, strands, path, rounds, written, verdict)
         if rounds == _ROUNDS:
             blamed = dict.fromkeys(range(len(plan.sections)), "unproved") | blamed
         plan = plan.without(blamed, hollow)
-    return Proved(plan, sketch.plain, toolpath(sketch.plain, settings), rounds)
+    path = toolpath(sketch.plain, settings)
+    written = write(path)
+    return Proved(plan, sketch.plain, path, rounds, written, check(written.text, settings))
 
 
 def _blamed(

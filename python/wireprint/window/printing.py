@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from wireprint import report
-from wireprint.certificate import check
 from wireprint.pipeline import Clock, make
 from wireprint.wholeness import is_whole, shortfall
 from wireprint.window.answer import encoded
@@ -128,7 +127,7 @@ class Printing:
 
     def _rest(self) -> dict[str, Any]:
         made = self._made
-        fidelity = check(made.gcode, made.settings, made.mesh).fidelity
+        fidelity = self._certificate.compared(made.mesh).fidelity
         assert fidelity is not None, "it was compared with its model"  # noqa: S101
         return {
             "event": "rest",

@@ -10,6 +10,7 @@ use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::strand::Kind;
 use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe as core;
+use wireprint_core::wireframe::build::{Bare, build_beside, build_plain};
 use wireprint_core::wireframe::frame::Reason;
 use wireprint_core::wireframe::params::WireParams;
 
@@ -30,6 +31,8 @@ type StripTuple = (Vec<u32>, Vec<u32>, f64);
 pub struct Wireframe {
     core: Arc<core::frame::Wireframe>,
     mesh: Py<Mesh>,
+    /// What wire beside layers goes by, kept where there are none yet.
+    bare: Option<Arc<Bare>>,
 }
 
 impl Wireframe {
@@ -45,9 +48,9 @@ impl Wireframe {
 }
 
 /// Slices a mesh and lays its strands, those of layers among them, clear of those that stand
-/// already: (N, 2, 3) float64, mm.
+/// already: (N, 2, 3) float64, mm. `plain` is the same without layers, where it is at hand.
 #[pyfunction]
-#[pyo3(signature = (mesh, head, params, layered=None, standing=None))]
+#[pyo3(signature = (mesh, head, params, layered=None, standing=None, plain=None))]
 pub fn wireframe(
     py: Python<'_>,
     mesh: &Bound<'_, Mesh>,
@@ -55,6 +58,7 @@ pub fn wireframe(
     params: &Bound<'_, PyDict>,
     layered: Option<LayeredArgs>,
     standing: Option<PyReadonlyArray3<'_, f64>>,
+    plain: Option<&Bound<'_, Wireframe>>,
 ) -> PyResult<Wireframe> {
     let head = head.0;
     let (Params(heights), Params(wire)) =
@@ -62,14 +66,28 @@ pub fn wireframe(
     let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
     let model = mesh.get().core();
     let standing = standing.as_ref().map(ends).transpose()?.unwrap_or_default();
+    let kept = plain.and_then(|plain| {
+        let Wireframe { core, bare, .. } = plain.get();
+        bare.as_ref().map(|bare| (core.clone(), bare.clone()))
+    });
     let build = || {
-        let sliced = core::plan::sliced::slice_model(model, &head, &heights)?;
-        layered.fits(&sliced)?;
-        sliced.claim_strands(&Strokes::new(&head, wire.strand))?;
-        Ok(core::build::build_beside(sliced, &layered, &standing, &head, &wire))
+        let (plain, bare) = if let Some(kept) = kept {
+            kept
+        } else {
+            let sliced = core::plan::sliced::slice_model(model, &head, &heights)?;
+            sliced.claim_strands(&Strokes::new(&head, wire.strand))?;
+            let (plain, bare) = build_plain(sliced, &standing, &head, &wire);
+            (Arc::new(plain), Arc::new(bare))
+        };
+        layered.fits(bare.sliced(&plain))?;
+        if layered.is_empty() {
+            return Ok((plain, Some(bare)));
+        }
+        let beside = build_beside(&plain, &bare, &layered, &standing, &head, &wire);
+        Ok((Arc::new(beside), None))
     };
-    let core = detached(py, || in_pool(build))?;
-    Ok(Wireframe { core: Arc::new(core), mesh: mesh.clone().unbind() })
+    let (core, bare) = detached(py, || in_pool(build))?;
+    Ok(Wireframe { core, mesh: mesh.clone().unbind(), bare })
 }
 
 /// A stable name for why something is not printed.
@@ -94,7 +112,7 @@ impl Wireframe {
     /// What `__reduce__` gave away.
     #[staticmethod]
     fn _restored(state: &[u8], mesh: Py<Mesh>) -> PyResult<Self> {
-        Ok(Self { core: Arc::new(kept::restored(state)?), mesh })
+        Ok(Self { core: Arc::new(kept::restored(state)?), mesh, bare: None })
     }
 
     fn __repr__(&self) -> String {
@@ -241,7 +259,7 @@ impl Wireframe {
     fn without(&self, py: Python<'_>, dropped: Vec<usize>, strand_mm: f64) -> PyResult<Self> {
         require_positive("strand_mm", strand_mm)?;
         let core = detached(py, || Ok(self.core.without(&dropped, strand_mm)))?;
-        Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py) })
+        Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py), bare: None })
     }
 
     /// What is left to print where some of the strands stand already.
@@ -252,7 +270,7 @@ impl Wireframe {
     ///     Their numbers, ascending.
     fn beyond(&self, py: Python<'_>, standing: Vec<usize>) -> PyResult<Self> {
         let core = detached(py, || Ok(self.core.beyond(&standing)))?;
-        Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py) })
+        Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py), bare: None })
     }
 
     /// What is not printed: (reason, lower and upper end mm, area mm², a point on it mm) each.

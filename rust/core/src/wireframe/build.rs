@@ -57,23 +57,42 @@ impl Pass {
     }
 }
 
+/// What the wire beside layers goes by: made with the print that has none, and the same for all
+/// that have some.
+#[derive(Debug)]
+pub struct Bare {
+    /// The slices without supports, where the print has some.
+    sliced: Option<Sliced>,
+    /// What the first pass laid, where further ones followed, and the last one.
+    first: Option<Guide>,
+    last: Guide,
+}
+
+impl Bare {
+    /// The slices without supports of a model, whose print without layers is `plain`.
+    #[must_use]
+    pub fn sliced<'a>(&'a self, plain: &'a Wireframe) -> &'a Sliced {
+        self.sliced.as_ref().unwrap_or(&plain.sliced)
+    }
+}
+
 /// Lays the strands of a sliced model, those of `layered` among them: always the nearest contour
 /// first and, where slabs want that, also in the best order of each slab; what is better as a whole
 /// is kept. With layers, the same is done without them first, and the wire goes by that.
 #[must_use]
 pub fn build(sliced: Sliced, layered: &Layered, head: &Head, p: &WireParams) -> Wireframe {
-    build_beside(sliced, layered, &[], head, p)
+    let (plain, bare) = build_plain(sliced, &[], head, p);
+    if layered.is_empty() { plain } else { build_beside(&plain, &bare, layered, &[], head, p) }
 }
 
-/// Does the same where strands stand already, mm: the head keeps clear of them.
+/// Does the same without layers, where strands stand already, mm: the head keeps clear of them.
 #[must_use]
-pub fn build_beside(
+pub fn build_plain(
     sliced: Sliced,
-    layered: &Layered,
     standing: &[[DVec3; 2]],
     head: &Head,
     p: &WireParams,
-) -> Wireframe {
+) -> (Wireframe, Bare) {
     let none = Layered::default();
     let plan = PassInput { layered: &none, standing, head, p, searching: false };
     let nothing = Guide::default();
@@ -85,14 +104,31 @@ pub fn build_beside(
             found = searched;
         }
     }
-    if !layered.is_empty() {
-        let last = Guide::new(&found.last.entries.posts, found.last.entries.spokes);
-        let first = found.first.map(|first| Guide::new(&first.entries.posts, first.entries.spokes));
-        let guides = [first.as_ref().unwrap_or(&last), &last];
-        found = settled(&sliced, &PassInput { layered, ..plan }, guides);
-    }
-    let sliced = found.propped.unwrap_or(sliced);
+    let first = found.first.map(|first| Guide::new(&first.entries.posts, first.entries.spokes));
+    let Entries { posts, strands, unprinted, spokes, .. } = found.last.entries;
+    let last = Guide::new(&posts, spokes);
+    let (sliced, bare) = match found.propped {
+        Some(propped) => (propped, Some(sliced)),
+        None => (sliced, None),
+    };
+    (Wireframe { posts, strands, unprinted, sliced }, Bare { sliced: bare, first, last })
+}
+
+/// Lays the strands of a model beside layers, by its print without them.
+#[must_use]
+pub fn build_beside(
+    plain: &Wireframe,
+    bare: &Bare,
+    layered: &Layered,
+    standing: &[[DVec3; 2]],
+    head: &Head,
+    p: &WireParams,
+) -> Wireframe {
+    let sliced = bare.sliced(plain);
+    let plan = PassInput { layered, standing, head, p, searching: false };
+    let found = settled(sliced, &plan, [bare.first.as_ref().unwrap_or(&bare.last), &bare.last]);
     let Entries { posts, strands, unprinted, .. } = found.last.entries;
+    let sliced = found.propped.unwrap_or_else(|| sliced.clone());
     Wireframe { posts, strands, unprinted, sliced }
 }
 
