@@ -25,6 +25,13 @@ def fatal(model, settings, row):
     slow(model, settings, row)
 
 
+def endless(model, settings, row):
+    """Never come back from one model."""
+    if abs(model.mesh.size_mm[0] - FATAL_MM) < 1e-3:
+        time.sleep(600)
+    quick(model, settings, row)
+
+
 def faulty(model, settings, row):
     """Fail in a way that nobody foresaw."""
     quick(model, settings, row)

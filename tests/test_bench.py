@@ -21,7 +21,7 @@ from PIL import Image
 
 import bench_jobs
 from wireprint import ModelError, SettingError, Settings, __version__, cli, comparison, examples
-from wireprint.bench import figures, histogram, pool, run, table, task
+from wireprint.bench import figures, histogram, local, pool, run, table, task
 from wireprint.bench.local import Processes
 from wireprint.bench.plan import Placement, plan
 from wireprint.bench.table import COLUMNS, Table
@@ -239,6 +239,16 @@ class TestProcesses:
         assert fatal["error"] == "its worker was lost 2 times"
         widths = [row["size_x_mm"] for _, row in sorted(rows.items())]
         assert widths == pytest.approx([10, 11, 12, 14, 15, 16, 17])
+
+    def test_a_model_that_takes_too_long_ends_as_a_failure_and_the_others_go_on(
+        self, cubes, monkeypatch
+    ):
+        monkeypatch.setattr(local, "STARTS_WITHIN_S", 20.0)
+        limited = dataclasses.replace(job(bench_jobs.endless), limit_s=2.0)
+        with Processes(limited, 2) as processes:
+            rows = {one.index: row for one, row in pool.rows(planned(cubes), processes)}
+        assert rows.pop(3)["error"] == "it took longer than 2 s"
+        assert {row["error"] for row in rows.values()} == {None}
 
     def test_rows_do_not_depend_on_the_number_of_processes(self, cubes, tmp_path):
         def rows(jobs):

@@ -1,6 +1,7 @@
 """``wireprint bench --scheduler``: a real scheduler and two workers, some of which die."""
 
 import csv
+import dataclasses
 import json
 import os
 import signal
@@ -131,6 +132,15 @@ def test_a_model_that_kills_its_worker_twice_fails_and_the_others_do_not(schedul
         rows = {one.index: row for one, row in pool.rows(tasks, opened)}
     assert rows.pop(3)["error"] == "its worker was lost 2 times"
     assert len(rows) == 11
+    assert {row["error"] for row in rows.values()} == {None}
+
+
+def test_a_model_that_takes_too_long_ends_with_its_worker(scheduler, tasks):
+    # The worker's nanny starts it anew.
+    limited = dataclasses.replace(job(bench_jobs.endless), limit_s=5.0)
+    with Cluster(limited, scheduler[0]) as opened:
+        rows = {one.index: row for one, row in pool.rows(tasks, opened)}
+    assert rows.pop(3)["error"] == "it took longer than 5 s"
     assert {row["error"] for row in rows.values()} == {None}
 
 

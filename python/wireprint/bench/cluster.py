@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import Counter
 from contextlib import suppress
@@ -48,6 +49,9 @@ class Cluster:
         self._threads: dict[str, int] = {}
         self._refused: dict[str, str] = {}
         self._running: dict[Future[Any], tuple[str, Task]] = {}
+        #: Until when each may take, by `time.monotonic`; those that were given up, and still run.
+        self._until: dict[Future[Any], float] = {}
+        self._given_up: dict[Future[Any], str] = {}
         #: Workers that one task has to itself.
         self._reserved: set[str] = set()
         self._last_seen = self._last_heard = time.monotonic()
@@ -96,11 +100,31 @@ class Cluster:
             elif worker not in self._threads:
                 future.cancel()
                 ended.append(Ended(task, None, alone))
+            elif self._until.get(future, math.inf) <= time.monotonic():
+                self._give_up(future, worker)
+                ended.append(Ended(task, bench_task.overrun(task, self._job.limit_s or 0.0)))
             else:
                 continue
             del self._running[future]
+            self._until.pop(future, None)
+        self._given_up = {
+            future: worker
+            for future, worker in self._given_up.items()
+            if worker in self._threads and not future.done()
+        }
         self._reserved &= {worker for worker, _ in self._running.values()}
         return ended
+
+    def _give_up(self, future: Future[Any], worker: str) -> None:
+        """End a task that takes too long: with its worker, where a nanny starts that anew.
+
+        Without a nanny nobody can end it; its thread is left to it until it ends by itself.
+        """
+        try:
+            self._client.restart_workers([worker], timeout=CONNECT_WITHIN_S, raise_for_error=False)
+            future.cancel()
+        except (ValueError, OSError, TimeoutError):
+            self._given_up[future] = worker
 
     def _look(self) -> None:
         """See which workers there are, and whether they run what we run."""
@@ -151,7 +175,8 @@ class Cluster:
     def _idle(self, alone: bool) -> str | None:
         """Return the worker with the most idle threads, if there is one."""
         free = {one: n for one, n in self._threads.items() if one not in self._reserved}
-        for worker, _ in self._running.values():
+        busy = [*(worker for worker, _ in self._running.values()), *self._given_up.values()]
+        for worker in busy:
             if worker in free:
                 free[worker] -= self._threads[worker] if alone else 1
         best = max(free, key=lambda worker: free[worker], default=None)
@@ -162,6 +187,8 @@ class Cluster:
             bench_task.run, self._job, task, workers=[worker], pure=False, retries=0
         )
         self._running[future] = worker, task
+        if self._job.limit_s is not None:
+            self._until[future] = time.monotonic() + self._job.limit_s
 
     def _pause(self) -> None:
         """Wait until a task ends, but not for long: a worker may be lost, or a new one come."""

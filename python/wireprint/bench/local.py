@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import multiprocessing
 import os
 import signal
+import time
 from contextlib import suppress
 from multiprocessing import connection
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from wireprint.bench import task as bench_task
 from wireprint.bench.pool import Ended
@@ -22,8 +24,14 @@ if TYPE_CHECKING:
     from wireprint.bench.task import Job, Row
 
 
+#: What a process may take to begin its first task, s, before the task's own time counts.
+STARTS_WITHIN_S: Final = 30.0
+
+
 class Processes:
     """A pool of processes, each of which evaluates one task at a time.
+
+    A task that takes longer than the job allows ends with its process.
 
     They are spawned, never forked: the core's threads would not survive a fork. The standard
     library's pools are of no use here: they give everything up when one process dies.
@@ -53,14 +61,23 @@ class Processes:
     def start(self, task: Task, *, alone: bool) -> None:
         """Give a task to an idle process."""
         worker = self._idle.pop() if self._idle else self._started()
+        if self._job.limit_s is not None:
+            begins = 0.0 if worker.served else STARTS_WITHIN_S
+            worker.until = time.monotonic() + self._job.limit_s + begins
+        worker.served = True
         with suppress(OSError):  # It died while idle: `wait` finds the pipe closed.
             worker.pipe.send(task)
         self._busy[worker.pipe] = worker, task
 
     def wait(self) -> list[Ended]:
         """Wait until a task ends; return those that did."""
-        ready = set(connection.wait(list(self._busy)))
-        return [self._ended(pipe) for pipe in list(self._busy) if pipe in ready]
+        first = min((worker.until for worker, _ in self._busy.values()), default=math.inf)
+        patience_s = None if first == math.inf else max(0.0, first - time.monotonic())
+        ready = set(connection.wait(list(self._busy), patience_s))
+        ended = [self._ended(pipe) for pipe in list(self._busy) if pipe in ready]
+        now = time.monotonic()
+        late = [pipe for pipe, (worker, _) in self._busy.items() if worker.until <= now]
+        return ended + [self._overrun(pipe) for pipe in late]
 
     def _started(self) -> _Worker:
         ours, theirs = self._context.Pipe()
@@ -81,6 +98,11 @@ class Processes:
         self._idle.append(worker)
         return Ended(task, row or bench_task.failed(task, "the file changed while it waited"))
 
+    def _overrun(self, pipe: Connection) -> Ended:
+        worker, task = self._busy.pop(pipe)
+        worker.stop()
+        return Ended(task, bench_task.overrun(task, self._job.limit_s or 0.0))
+
 
 class _Worker:
     """A process and the pipe to it."""
@@ -88,6 +110,9 @@ class _Worker:
     def __init__(self, process: BaseProcess, pipe: Connection) -> None:
         self._process = process
         self.pipe = pipe
+        #: Whether it has had a task, and until when it may be at its present one.
+        self.served = False
+        self.until = math.inf
 
     def stop(self) -> None:
         self.pipe.close()

@@ -104,6 +104,11 @@ class Table:
         self._rows = {_key(row): row for row in rows}
         self._by_content = {key[:2]: row for key, row in self._rows.items() if key[0]}
 
+    @property
+    def rows(self) -> list[Row]:
+        """All rows that are there already."""
+        return list(self._rows.values())
+
     def __enter__(self) -> Self:
         """Begin a run."""
         return self
@@ -133,6 +138,20 @@ class Table:
         written_whole(self._path, _encoded(self._path, [*others, *rows]))
         if self._journal is not None:
             self._journal.remove()
+
+
+def rows_of(path: Path) -> list[Row]:
+    """Read a table, with what its run has added since.
+
+    Raises
+    ------
+    SettingError
+        There is none, or it holds something else than results.
+    """
+    table = Table(path)
+    if not table.rows:
+        raise SettingError(f"{path}: there are no results in it")
+    return table.rows
 
 
 def _key(row: Row) -> tuple[str, str, str]:

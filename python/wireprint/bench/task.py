@@ -33,6 +33,8 @@ class Job:
     evaluate: Callable[[Model, Settings, Row], None]
     #: Whether each model is turned into the pose that is printed best.
     orient: bool = False
+    #: What one model may take, s; None: whatever it takes.
+    limit_s: float | None = None
 
 
 def run(job: Job, task: Task) -> Row | None:
@@ -106,6 +108,11 @@ def started(task: Task) -> Row:
 def failed(task: Task, reason: str) -> Row:
     """Return the row of a model that never came back."""
     return started(task) | {"error": reason}
+
+
+def overrun(task: Task, limit_s: float) -> Row:
+    """Return the row of a model that took too long."""
+    return failed(task, f"it took longer than {limit_s:g} s")
 
 
 @contextmanager

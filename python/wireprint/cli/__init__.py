@@ -66,6 +66,7 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     ),
     "view": ("wireprint.cli.view", "view", "Draw G-code or a model."),
     "bench": ("wireprint.cli.bench", "bench", "Compare and judge many models at once."),
+    "report": ("wireprint.cli.report", "report", "Write a page about the results of a bench."),
     "example": ("wireprint.cli.example", "example", "Write a model to try."),
 }
 

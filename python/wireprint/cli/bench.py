@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wireprint import files
+from wireprint.cli.budget import Duration
 from wireprint.cli.options import Chosen, chosen_from, settings_options
 from wireprint.cli.paths import OutputName
 from wireprint.cli.placement import orient_option, placement_options
@@ -45,6 +46,13 @@ SHOWN = 10
 )
 @click.option("--jobs", type=click.IntRange(min=1), help="Processes; default: one a core.")
 @click.option("--scheduler", metavar="ADDRESS", help="Dask scheduler, such as tcp://host:8786.")
+@click.option(
+    "--limit",
+    "limit_s",
+    type=Duration(),
+    metavar="TIME",
+    help="What one model may take, such as 90s or 5min; it is a failure then, like others.",
+)
 @click.option("--retry-failed", is_flag=True, help="Try models again whose row is a failure.")
 @settings_options
 @placement_options
@@ -59,6 +67,7 @@ def bench(
     compare: bool,
     jobs: int | None,
     scheduler: str | None,
+    limit_s: float | None,
     retry_failed: bool,
     as_json: bool,
     orient: bool,
@@ -80,7 +89,7 @@ def bench(
 
     chosen = chosen_from(options)
     settings = chosen.settings().model_dump(mode="json")
-    job = Job(settings, figures.comparison if compare else figures.certificate, orient)
+    job = Job(settings, figures.comparison if compare else figures.certificate, orient, limit_s)
     fingerprint = {"settings": settings, "compare": compare, "orient": orient}
     tasks = plan(models, Placement(**options), fingerprint, partial(_own_settings, chosen))
     inputs = [*(name for name in models if name != STREAM), *(task.model for task in tasks)]
