@@ -2,8 +2,11 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod solids;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
+use solids::Random;
 use wireprint_core::geometry::curve::Curve;
 use wireprint_core::head::Head;
 use wireprint_core::stroke::Strokes;
@@ -131,6 +134,32 @@ proptest! {
         let own = cost(&curve, &chain, &p, widest).expect("the chain keeps its own rules");
         prop_assert!(own <= best * (1.0 + 1e-9) + 1e-9, "{own} where {best} is to be had");
     }
+}
+
+#[test]
+fn where_posts_must_stand_farther_apart_than_a_strand_may_span_they_do_so_as_little_as_they_can() {
+    let (mut random, mut compared) = (Random(5), 0);
+    for turn in 0..200 {
+        let curve = contour(&[9.0; 24], turn % 2 == 0);
+        let (count, spacing) = (11, random.between(6.0, 12.0));
+        let places: Vec<(f64, f64, f64)> = (0..=count)
+            .map(|i| {
+                let off = if i == 0 { 0.0 } else { random.between(-0.4, 0.4) };
+                ((f64::from(i) + off) / f64::from(count + 1), 0.0, spacing)
+            })
+            .collect();
+        let all = candidates(&curve, &places, 2.0);
+        let strokes = Strokes::new(&head(), 0.7);
+        let p = PostParams { ideal: 5.0, chord_error: 3.5, span_limit: 5.0, strokes };
+        let Some(best) = cheapest(&curve, &all, &p, 2.5 * p.ideal) else { continue };
+        compared += 1;
+        let found = place(&curve, 0.0, &all, &head(), &p);
+        let of = |post: &Post| all.iter().find(|c| c.post == *post).unwrap();
+        let chain: Vec<&Candidate> = found.iter().map(of).collect();
+        let own = cost(&curve, &chain, &p, 2.5 * p.ideal).unwrap_or(f64::INFINITY);
+        assert!((own - best).abs() < 1e-9 * best, "{own} where {best} is to be had");
+    }
+    assert!(compared > 100, "{compared}");
 }
 
 #[test]

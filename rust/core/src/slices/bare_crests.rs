@@ -131,3 +131,6 @@ fn segments(loops: &[Loop]) -> Segments {
     });
     Segments::new(&ends.collect::<Vec<[DVec2; 2]>>())
 }
+
+#[cfg(test)]
+mod tests;

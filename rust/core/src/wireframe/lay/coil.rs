@@ -166,3 +166,6 @@ fn alongside(mut points: Vec<DVec2>, other: &Curve) -> Option<Curve> {
     }
     Curve::new(&points, true)
 }
+
+#[cfg(test)]
+mod tests;

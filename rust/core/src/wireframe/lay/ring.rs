@@ -87,3 +87,6 @@ fn stretches(curve: &Curve, posts: &[Post], course: &Course) -> Vec<Vec<DVec3>> 
     }
     stretches
 }
+
+#[cfg(test)]
+mod tests;

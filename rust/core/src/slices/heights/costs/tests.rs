@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::*;
+use crate::climb::Climb;
 use crate::mesh::Mesh;
 use crate::printer::Printer;
 use crate::slices::heights::outline::Ring;
@@ -70,8 +71,14 @@ fn plain(case: &Case, printer: &Printer, i: usize, j: usize) -> f64 {
     let run = strokes.run(height);
     // Each post goes straight up, its diagonal comes down over a run; the contour lies on them.
     let strokes_length = height + height.hypot(run);
-    let per_mm = |pause: f64| (pause + strokes_length / p.speed) / run + 1.0 / p.speed;
-    let (mut time, mut quick) = (length * per_mm(p.pause), length * per_mm(0.6));
+    let per_mm = |seconds: f64| seconds / run + 1.0 / p.speed;
+    // An axis that raises the head may be slower than both strokes.
+    let takes = p.climb.map_or(strokes_length / p.speed, |climb| {
+        let rise = climb.takes(height, p.speed);
+        rise + rise.max(height.hypot(run) / p.speed)
+    });
+    let own = per_mm(p.pause + takes);
+    let (mut time, mut quick) = (length * own, length * per_mm(0.6 + strokes_length / p.speed));
     let mut turning = (low.turning + high.turning) / 2.0;
     let profile = Profile::new(&case.mesh, 0.35, 22.0, 0.5);
     let (stray, leaning) = profile.deviation(from, to, 0.4 * end);
@@ -79,7 +86,7 @@ fn plain(case: &Case, printer: &Printer, i: usize, j: usize) -> f64 {
     for ring in low.rings.iter().chain(&high.rings) {
         let lacking = (3.0 - (ring.length / run).floor()).max(0.0);
         let turns = (height / (0.75 * p.strand)).ceil() + 1.0;
-        let (coiled, zigzag) = (turns * ring.length / p.speed, ring.length * per_mm(p.pause));
+        let (coiled, zigzag) = (turns * ring.length / p.speed, ring.length * own);
         if lacking > 0.0 && coiled < zigzag + 4.0 * lacking * lacking {
             time += (coiled - zigzag) / 2.0;
             turning -= ring.turning / 2.0;
@@ -111,6 +118,10 @@ fn a_slab_costs_its_time_its_deviation_and_its_fines() {
     for number in 0..120 {
         let mut printer = Printer::all()[number % 3].clone();
         printer.heights.pause = random.between(0.0, 2.0);
+        if number % 2 == 0 {
+            let (speed, accel) = (random.between(2.0, 60.0), random.between(50.0, 5000.0));
+            printer.heights.climb = Some(Climb { speed, accel });
+        }
         let case = Case::new(&mut random);
         let costs = case.costs(&printer);
         for j in 1..case.heights.len() {

@@ -17,7 +17,7 @@ fn zigzag(random: &mut Random) -> Vec<ZigzagStep> {
             s += random.between(9.0, 30.0);
             let base = DVec3::X * s;
             let low = random.unit() < 0.5;
-            let height = if low { random.between(0.0, 0.7) } else { random.between(2.0, 5.0) };
+            let height = if low { random.between(0.0, 0.9) } else { random.between(2.0, 5.0) };
             let post = Post { base, peak: base + DVec3::Z * height, s };
             ZigzagStep { post, linked: random.unit() < 0.8 }
         })
@@ -45,7 +45,8 @@ fn in_free_air_posts_and_the_diagonals_that_may_hang_are_printed_and_mere_contac
                 }
             }
             if height(post) >= TOUCH {
-                wanted.push((post.base, post.peak, Kind::Post, true));
+                // What is no longer than a strand is thick touches what it begins on.
+                wanted.push((post.base, post.peak, Kind::Post, height(post) > 2.0 * TOUCH));
             }
             before = Some(*post);
         }

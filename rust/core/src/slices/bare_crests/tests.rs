@@ -1,0 +1,92 @@
+//! Which crests would be bare, on a bar whose contours are known at every height.
+
+use glam::{DMat3, DVec3};
+
+use super::*;
+use crate::solids::{Random, cuboid, moved};
+
+/// How much the bar's roofs rise for each millimetre.
+const SLOPE: f64 = 0.4;
+/// Height of its ridge; its keel lies as far below 0.
+const RIDGE: f64 = 8.0;
+const STRAND: f64 = 0.7;
+
+/// A bar of 80 mm along x that lies on its edge: its section is a flat rhombus.
+fn bar() -> Mesh {
+    let side = RIDGE / SLOPE / f64::sqrt(2.0);
+    let square = cuboid(DVec3::new(-40.0, -side, -side), DVec3::new(40.0, side, side));
+    let turned = DMat3::from_rotation_x(std::f64::consts::FRAC_PI_4);
+    moved(&square, DMat3::from_diagonal(DVec3::new(1.0, 1.0, SLOPE)) * turned, DVec3::ZERO)
+}
+
+fn level(low: f64, high: f64) -> Level {
+    Level { z: low, low, high, between: Vec::new() }
+}
+
+fn bare(levels: &[Level], covered: f64) -> Vec<(f64, f64)> {
+    let mesh = bar();
+    let mut crests = Crests::new(&mesh, (-100.0, 100.0), STRAND, covered);
+    let found = crests.take_bare(&mesh, levels);
+    // What was wanted once is not wanted again, whatever the levels.
+    let again = crests.take_bare(&mesh, &[]);
+    assert!(found.iter().all(|range| !again.contains(range)));
+    assert_eq!(found.len() + again.len(), 2);
+    found
+}
+
+#[test]
+fn a_crest_is_bare_that_lies_farther_from_all_contours_than_they_cover() {
+    let (mut random, mut kept) = (Random(19), 0);
+    for _ in 0..60 {
+        let covered = random.between(1.0, 19.0);
+        // The last slice below the ridge, and the first above the keel.
+        let [below, above] = [0, 1].map(|_| random.between(0.4, 7.5));
+        let levels = [-RIDGE + above, RIDGE - below].map(|z| level(z, z));
+        let mut wanted = Vec::new();
+        let is_bare = |off: f64| off.hypot(off / SLOPE) > covered;
+        if is_bare(above) {
+            wanted.push((-RIDGE, -RIDGE + 0.5 * STRAND));
+        }
+        if is_bare(below) {
+            wanted.push((RIDGE - 0.5 * STRAND, RIDGE));
+        }
+        let mut levels = levels.to_vec();
+        levels.sort_by(|a, b| a.z.total_cmp(&b.z));
+        let found = bare(&levels, covered);
+        kept += found.len();
+        assert_eq!(found.len(), wanted.len(), "{above} {below} {covered}");
+        for (one, other) in found.iter().zip(&wanted) {
+            assert!((one.0 - other.0).abs().max((one.1 - other.1).abs()) < 0.01, "{found:?}");
+        }
+    }
+    assert!((20..100).contains(&kept), "{kept}");
+}
+
+#[test]
+fn a_crest_is_covered_by_the_faces_of_a_level_that_holds_it() {
+    // Slices of one level, from within the bar to above its ridge: what lies between them is closed.
+    let holds = [level(RIDGE - 0.6, RIDGE + 0.5)];
+    assert_eq!(bare(&holds, 1.0).len(), 1);
+    // The same slices as levels of their own close nothing.
+    let apart = [RIDGE - 0.6, RIDGE + 0.5].map(|z| level(z, z));
+    assert_eq!(bare(&apart, 1.0).len(), 2);
+    // Nor do slices both of which hold the place below the ridge.
+    let within = [level(RIDGE - 1.2, RIDGE - 0.9)];
+    assert_eq!(bare(&within, 1.3).len(), 2);
+}
+
+#[test]
+fn crests_beyond_the_first_and_the_last_level_are_no_matter() {
+    let mesh = bar();
+    let taken = |first: f64, last: f64| {
+        Crests::new(&mesh, (first, last), STRAND, 1.0).take_bare(&mesh, &[]).len()
+    };
+    assert_eq!(
+        [taken(-9.0, 9.0), taken(-7.0, 9.0), taken(-9.0, 7.0), taken(-7.0, 7.0)],
+        [2, 1, 1, 0]
+    );
+    // Nor are those shorter than twice what contours cover.
+    let long =
+        |covered| Crests::new(&mesh, (-9.0, 9.0), STRAND, covered).take_bare(&mesh, &[]).len();
+    assert_eq!([long(39.0), long(41.0)], [2, 0]);
+}
