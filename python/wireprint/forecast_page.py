@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from wireprint._core import Scene, Strands
+from wireprint.forecast_scales import RULES, scale_of
 from wireprint.view import camera_angles
 from wireprint.view_html import Page
 from wireprint.view_styles import WHITE, Entry
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint.forecast import Forecast
+    from wireprint.forecast_scales import Scale
     from wireprint.view_styles import Rgb
 
     Array = npt.NDArray[np.float64]
@@ -35,15 +36,6 @@ _NONE: Final[Rgb] = (205, 205, 205)
 _STILL_PX: Final = (640, 480)
 
 
-@dataclass(frozen=True)
-class _Scale:
-    """A figure of strands, and where one colour ends and the next begins, the worse later."""
-
-    values: Array
-    edges: tuple[float, ...]
-    name: str
-
-
 def page(forecast: Forecast, figure: str, title: str) -> bytes:
     """Draw strands in the colours of a figure.
 
@@ -57,7 +49,7 @@ def page(forecast: Forecast, figure: str, title: str) -> bytes:
         Headline.
     """
     settings = forecast.judge.settings
-    scale = _scale(forecast, figure)
+    scale = scale_of(forecast, figure)
     kinds = np.searchsorted(scale.edges, np.nan_to_num(scale.values), side="left")
     kinds[np.isnan(scale.values)] = len(_COLOURS)
     ends = forecast.ends_mm
@@ -72,8 +64,7 @@ def page(forecast: Forecast, figure: str, title: str) -> bytes:
     size_mm = np.ptp(ends.reshape(-1, 3), axis=0).tolist() if len(ends) else [0.0] * 3
     angles, headline = camera_angles("iso"), f"{title}: {scale.name}, {forecast.trust}"
     sheet = Page(headline, size_mm, angles[:2], _still(drawn, colours, angles))
-    worst = {"sag": "sags", "compliance": "meets", "flow": "flows", "weld": "welds"}[figure]
-    place = forecast.rules[worst].place_mm
+    place = forecast.rules[RULES[figure]].place_mm
     sheet.add_marks([] if place is None else [place])
     sheet.add_strands(drawn, colours, entries, travels=False, gcode=None)
     return sheet.text().encode()
@@ -85,26 +76,7 @@ def _still(drawn: Strands, colours: list[Rgb], angles: tuple[float, float, float
     return scene.png(_STILL_PX, angles, supersample=2, margins=(8.0,) * 4, ground=WHITE)
 
 
-def _scale(forecast: Forecast, figure: str) -> _Scale:
-    """Return a figure in shares of its limit: a quarter, a half, the whole and twice of it."""
-    settings = forecast.judge.settings
-    strand = settings.strand_mm
-    shares = (0.25, 0.5, 1.0, 2.0)
-    if figure == "sag":
-        edges = tuple(share * strand for share in shares)
-        return _Scale(forecast.sag_mm, edges, "sag, mm")
-    if figure == "compliance":
-        limit = strand / 2 / settings.wire.pull_n
-        edges = tuple(share * limit for share in shares)
-        return _Scale(forecast.compliance_mm_n, edges, "gives way, mm/N")
-    if figure == "flow":
-        limit = forecast.rules["flows"].limit or 0.0
-        edges = tuple(share * limit for share in shares)
-        return _Scale(abs(forecast.flow_share - 1), edges, "off its material, share")
-    return _Scale(1 - forecast.weld, (0.2, 0.4, 0.6, 0.8), "missing to a weld, share")
-
-
-def _names(scale: _Scale) -> list[str]:
+def _names(scale: Scale) -> list[str]:
     edges = [f"{edge:.2g}" for edge in scale.edges]
     between = [f"{low} to {high}" for low, high in pairwise(edges)]
     return [f"up to {edges[0]}", *between, f"more than {edges[-1]}"]

@@ -6,7 +6,8 @@ from studio_strokes import flank
 from studio_talk import Talk, source_of
 
 from command import run
-from wireprint import examples
+from wireprint import examples, simulate
+from wireprint.forecast_words import sentences
 
 
 def box(low, high):
@@ -292,3 +293,33 @@ def test_a_number_may_be_a_word_where_the_settings_say_so(talk):
         differs = value != "auto"
         state, _ = talk.wait("state", lambda one, wanted=differs: bool(one["differs"]) == wanted)
         assert state["settings"]["wire.brim_rings"] == value
+
+
+def test_a_print_is_forecast_strand_by_strand(talk):
+    answer, _ = talk.ask("forecast")
+    assert answer["there"]
+    head, arrays = talk.wait("forecast")
+    drawn, strands = talk.wait("print")
+    assert head["error"] == ""
+    assert head["revision"] == talk.wait("current")[0]["revision"]
+    assert list(head["figures"]) == list(arrays) == ["sag", "compliance", "flow", "weld"]
+    found = simulate(talk.gcode())
+    assert head["sentences"] == sentences(found)
+    for figure, shares in arrays.items():
+        assert len(shares) == len(strands["strands"])
+        told = shares[shares >= 0]
+        assert told.size
+        assert told.max() <= 1
+    sag = found.sag_mm / head["figures"]["sag"]["most"]
+    assert np.array_equal(np.isnan(sag), arrays["sag"] < 0)
+    assert np.allclose(arrays["sag"][~np.isnan(sag)], np.minimum(sag[~np.isnan(sag)], 1), atol=1e-6)
+
+
+def test_of_several_forecasts_that_are_asked_for_the_newest_is_told(talk):
+    talk.ask("forecast")
+    revision = talk.edit("mark", mark={"shape": {"kind": "z", "low_mm": 5, "high_mm": 10}})[
+        "revision"
+    ]
+    talk.ask("forecast")
+    head, arrays = talk.wait("forecast", lambda one: one["revision"] == revision)
+    assert len(arrays["sag"]) == len(talk.wait("print")[1]["strands"])

@@ -4,7 +4,7 @@ import { Marks } from "./marks";
 import { Section } from "./section";
 import { Settings } from "./settings";
 import * as store from "./store";
-import type { Mode } from "./strands";
+import { isFigure, type Mode } from "./strands";
 import type { Studio } from "./studio";
 import { RAMP } from "./theme";
 import type { Viewer } from "./viewer";
@@ -15,6 +15,10 @@ const MODES: Record<Mode, string> = {
   speed: "speed",
   slab: "slab",
   breach: "breach",
+  sag: "forecast: sags",
+  compliance: "forecast: gives way",
+  flow: "forecast: flow",
+  weld: "forecast: welds",
 };
 
 function css([r, g, b]: [number, number, number]): string {
@@ -58,6 +62,30 @@ function Legend(): JSX.Element {
   );
 }
 
+/** What strands would do, in colours and in words. */
+function Foretold(): JSX.Element {
+  const forecast = store.forecast.value;
+  const mode = store.mode.value;
+  const figure = isFigure(mode) ? forecast?.figures?.[mode] : undefined;
+  if (!forecast) return <p class="quiet">Being forecast…</p>;
+  if (forecast.error || !figure) return <p class="bad">{forecast.error}</p>;
+  return (
+    <>
+      <div class="ramp">
+        <i style={{ background: `linear-gradient(90deg, ${RAMP.map(css).join(", ")})` }} />
+        <small>0</small>
+        <small>{`${Number(figure.most.toPrecision(2))} and more`}</small>
+      </div>
+      <p class="quiet">{`${figure.name}; ${forecast.trust}: a model, no part of the certificate. Grey: nothing is told.`}</p>
+      <ul class="told">
+        {(forecast.sentences ?? []).map((words) => (
+          <li key={words}>{words}</li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
 function Ramp(): JSX.Element {
   const [low, high] = store.range.value;
   const words = { time: store.instant, speed: (v: number) => `${v.toFixed(1)} mm/s`, slab: (v: number) => `${Math.round(v) + 1}` };
@@ -75,6 +103,7 @@ function Ramp(): JSX.Element {
 function tells(mode: Mode): boolean {
   const print = store.print.value;
   if (!print || mode === "feature") return true;
+  if (isFigure(mode)) return store.host.value !== "page";
   if (mode === "slab") return print.slabs_mm.length > 1;
   if (mode === "breach") return print.figures.certified !== undefined;
   return mode === "time" || print.timed;
@@ -97,7 +126,7 @@ function Colours(): JSX.Element {
             </option>
           ))}
       </select>
-      {mode === "feature" ? <Legend /> : mode === "breach" ? <p class="quiet">What breaks a rule is red.</p> : <Ramp />}
+      {mode === "feature" ? <Legend /> : mode === "breach" ? <p class="quiet">What breaks a rule is red.</p> : isFigure(mode) ? <Foretold /> : <Ramp />}
     </Section>
   );
 }

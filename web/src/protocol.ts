@@ -116,6 +116,15 @@ export interface Welcome {
   materials: string[];
 }
 
+/** What strands would do, by a model: of each figure its name, and the amount that is drawn worst. */
+export interface Forecast {
+  revision: number;
+  error: string;
+  trust?: string;
+  figures?: Record<string, { name: string; most: number }>;
+  sentences?: string[];
+}
+
 /** A start that has not been agreed to: what a message brings back to agree. */
 export interface Asked {
   asks: string;

@@ -1,6 +1,6 @@
 // What the page shows, as signals: components follow them, the scene is told in studio.ts.
 import { computed, signal } from "@preact/signals";
-import type { Field, Model, Point, Print, Sent, State, Welcome } from "./protocol";
+import type { Field, Forecast, Model, Point, Print, Sent, State, Welcome } from "./protocol";
 import type { Mode } from "./strands";
 
 export type Tool = "turn" | "fill" | "erase";
@@ -54,6 +54,8 @@ export const slab = signal(Infinity);
 /** The mark whose handles are shown. */
 export const selected = signal<number | null>(null);
 export const drawer = signal(false);
+/** What the print that is shown would do; null: it was not asked for, or is not there yet. */
+export const forecast = signal<Forecast | null>(null);
 /** What is to be closed before all else goes on. */
 export const dialog = signal<"keys" | "send" | null>(null);
 /** The file that was sent last. */

@@ -22,7 +22,14 @@ import type { Label, Print } from "./protocol";
 import { LINE_FRAGMENT, LINE_VERTEX, MOST_KINDS, TUBE_FRAGMENT, TUBE_VERTEX, WIDTH } from "./strandshaders";
 import { RAMP, type Palette } from "./theme";
 
-export type Mode = "feature" | "time" | "speed" | "slab" | "breach";
+/** Figures of a forecast; see forecast_scales.py. */
+export const FIGURES = ["sag", "compliance", "flow", "weld"] as const;
+export type Figure = (typeof FIGURES)[number];
+export type Mode = "feature" | "time" | "speed" | "slab" | "breach" | Figure;
+
+export function isFigure(mode: Mode): mode is Figure {
+  return (FIGURES as readonly string[]).includes(mode);
+}
 
 function rgb([r, g, b]: [number, number, number]): Vector3 {
   return new Vector3(r / 255, g / 255, b / 255);
@@ -61,6 +68,7 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
   private speed = new Float32Array();
   private packed = new Uint32Array();
   private totalS = 0;
+  private figures: Partial<Record<Figure, Float32Array>> = {};
   private slabCount = 1;
   private readonly lines: LineSegments<BufferGeometry, RawShaderMaterial>;
 
@@ -132,6 +140,7 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
     this.speed = speed as Float32Array<ArrayBuffer>;
     this.packed = strands as Uint32Array<ArrayBuffer>;
     this.totalS = print.total_s;
+    this.figures = {};
     this.slabCount = print.slabs_mm.length;
     (uniforms.strands!.value as DataTexture).dispose();
     uniforms.strands!.value = texels(strands);
@@ -161,12 +170,26 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
     const uniforms = this.material.uniforms;
     uniforms.mode!.value = mode === "feature" ? 0 : mode === "breach" ? 2 : 1;
     if (mode === "feature" || mode === "breach") return [0, 0];
+    if (isFigure(mode)) {
+      this.setShares(this.figures[mode] ?? new Float32Array(this.count).fill(-1));
+      return [0, 1];
+    }
     const [value, low, high] = this.amounts(mode);
     const shares = new Float32Array(this.count);
-    for (let i = 0; i < this.count; i++) shares[i] = (value(i) - low) / Math.max(high - low, 1e-9);
+    for (let i = 0; i < this.count; i++) shares[i] = Math.max((value(i) - low) / Math.max(high - low, 1e-9), 0);
+    this.setShares(shares);
+    return [low, high];
+  }
+
+  /** Takes what the strands would do: shares by figure, below 0 where there is none. */
+  foretell(figures: Partial<Record<Figure, Float32Array>>): void {
+    this.figures = figures;
+  }
+
+  private setShares(shares: Float32Array): void {
+    const uniforms = this.material.uniforms;
     (uniforms.values!.value as DataTexture).dispose();
     uniforms.values!.value = amounts(shares);
-    return [low, high];
   }
 
   private amounts(mode: "time" | "speed" | "slab"): [(i: number) => number, number, number] {

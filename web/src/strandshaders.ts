@@ -51,7 +51,10 @@ bool found(int strand, out vec3 a, out vec3 b, out float thick) {
   if (b.z > nearest) b = mix(a, b, (nearest - a.z) / (b.z - a.z));
   thick = float((packed.w >> 8) & 0xffu) * diameterStep;
   if (mode == 0) colour = kind.rgb;
-  else if (mode == 1) colour = ramped(texelFetch(values, texel, 0).r);
+  else if (mode == 1) {
+    float share = texelFetch(values, texel, 0).r;
+    colour = share < 0.0 ? faint : ramped(share);
+  }
   else colour = broken ? breach : faint;
   return true;
 }`;

@@ -4,8 +4,9 @@ import { Box3, Vector3 } from "three";
 import { Brush } from "./brush";
 import { Handles } from "./handles";
 import { Refused, type Linking } from "./link";
-import type { Answer, Asked, Field, Item, Model, Sent, Shape, State, Value } from "./protocol";
+import type { Answer, Asked, Field, Forecast, Item, Model, Sent, Shape, State, Value } from "./protocol";
 import * as store from "./store";
+import { isFigure, type Figure } from "./strands";
 import { Viewer, download } from "./viewer";
 
 type Kind = "box" | "sphere" | "z" | "half";
@@ -21,11 +22,18 @@ export class Studio extends Viewer {
     this.handles = new Handles(this.view, stage, (number, shape, frame) => {
       void this.edit({ do: "change", number, mark: { shape, erase: this.item(number)?.erase ?? false, frame } });
     });
+    this.follows(() => this.foretell());
     this.follows(() => {
       const number = store.selected.value;
       const item = store.state.value?.items.find((one) => one.number === number);
       this.handles.show(item ?? null);
     });
+  }
+
+  /** Has the print that is shown forecast, whenever its colours tell something of that. */
+  private foretell(): void {
+    if (!isFigure(store.mode.value) || !store.print.value || store.forecast.value || store.outOfDate.value) return;
+    void this.edit({ do: "forecast" });
   }
 
   async mark(shape: Shape, erase: boolean): Promise<{ number: number; revision: number }> {
@@ -130,8 +138,17 @@ export class Studio extends Viewer {
     super.take(answer);
     if (answer.head.event === "welcome" && store.host.value === "studio")
       document.title = `${store.welcome.value?.name} · wireprint studio`;
+    if (answer.head.event === "forecast") this.takeForecast(answer);
     if (answer.head.event === "sending") this.takeSent(answer.head as unknown as Sent);
     if (answer.head.event === "paint") this.brush.answered(store.printed.value);
+  }
+
+  private takeForecast({ head, arrays }: Answer): void {
+    const forecast = head as unknown as Forecast;
+    // It may be of a print that is shown no longer.
+    if (forecast.revision !== store.printed.value) return;
+    this.view.strands.foretell(arrays as Partial<Record<Figure, Float32Array>>);
+    store.forecast.value = forecast;
   }
 
   private takeSent(sent: Sent): void {

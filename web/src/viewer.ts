@@ -180,6 +180,7 @@ export class Viewer {
     store.failure.value = "";
     store.progress.value = "";
     store.rest.value = null;
+    store.forecast.value = null;
     this.spot = -1;
     if (store.slab.value >= print.slabs_mm.length - 1) store.slab.value = Infinity;
     this.root.dataset["drawn"] = `${store.strandCount.value}`;
@@ -225,7 +226,8 @@ export class Viewer {
     darkQuery.addEventListener("change", recolour);
     this.ends.push(() => darkQuery.removeEventListener("change", recolour));
     this.follows(() => {
-      if (store.print.value) store.range.value = view.strands.colourBy(store.mode.value);
+      // A forecast that comes changes what colours tell.
+      if (store.print.value || store.forecast.value) store.range.value = view.strands.colourBy(store.mode.value);
       view.redraw();
     });
     this.follows(() => {

@@ -140,6 +140,12 @@ class Send(_Message):
     sure: _Name | None = None
 
 
+class Forecast(_Message):
+    """Tell what the strands of the print would do, by a model."""
+
+    do: Literal["forecast"]
+
+
 class Picture(_Message):
     """Draw the print, for a browser that cannot."""
 
@@ -164,6 +170,7 @@ Message = Annotated[
     | Export
     | Save
     | Send
+    | Forecast
     | Picture,
     Field(discriminator="do"),
 ]

@@ -15,6 +15,7 @@ from wireprint.regions.document import MarkEntry
 from wireprint.window import messages, outputs, telling
 from wireprint.window.answer import encoded
 from wireprint.window.dispatch import Dispatch
+from wireprint.window.foretelling import Foretelling
 from wireprint.window.workshop import Workshop
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ class Session:
         self._source = source
         self.workshop = Workshop(source, tell)
         self._dispatch = Dispatch(tell)
+        self._foretelling = Foretelling(tell)
 
     def start(self) -> None:
         """Begin to read, print and watch the model."""
@@ -86,6 +88,11 @@ class Session:
                 name = outputs.name_of("gcode", self._source.name)
                 sent = self._dispatch.send(message, self.workshop.printed(), name)
                 return encoded({**head, **sent})
+            case messages.Forecast():
+                revision, printed = self.workshop.newest()
+                if printed is not None:
+                    self._foretelling.ask(revision, printed, self.workshop.now()[2])
+                return encoded({**head, "there": printed is not None})
             case messages.Picture(azimuth_deg=azimuth, elevation_deg=elevation):
                 size = message.width, message.height
                 png = outputs.picture(self.workshop.printed(), (azimuth, elevation), size)

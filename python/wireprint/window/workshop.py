@@ -135,10 +135,14 @@ class Workshop:
 
     def printed(self) -> Printed | None:
         """Return the print of what is marked now, once it is there; None: there is none."""
+        return self.newest()[1]
+
+    def newest(self) -> tuple[int, Printed | None]:
+        """Return the number of the newest change, and its print, likewise."""
         with self._changed:
             state, wanted = self._ready().state, self._revision
             self._changed.wait_for(lambda: self._done >= wanted or self._stopped, _PATIENCE_S)
-            return self._kept.get(id(state))
+            return wanted, self._kept.get(id(state))
 
     def _show_kept(self, state: State) -> None:
         """Show a print that is kept, whatever the thread is at: undo need not wait for it."""
