@@ -299,13 +299,13 @@ def test_a_print_is_forecast_strand_by_strand(talk):
     answer, _ = talk.ask("forecast")
     assert answer["there"]
     head, arrays = talk.wait("forecast")
-    drawn, strands = talk.wait("print")
+    _, strands = talk.wait("print")
     assert head["error"] == ""
     assert head["revision"] == talk.wait("current")[0]["revision"]
     assert list(head["figures"]) == list(arrays) == ["sag", "compliance", "flow", "weld"]
     found = simulate(talk.gcode())
     assert head["sentences"] == sentences(found)
-    for figure, shares in arrays.items():
+    for shares in arrays.values():
         assert len(shares) == len(strands["strands"])
         told = shares[shares >= 0]
         assert told.size
@@ -317,9 +317,7 @@ def test_a_print_is_forecast_strand_by_strand(talk):
 
 def test_of_several_forecasts_that_are_asked_for_the_newest_is_told(talk):
     talk.ask("forecast")
-    revision = talk.edit("mark", mark={"shape": {"kind": "z", "low_mm": 5, "high_mm": 10}})[
-        "revision"
-    ]
+    revision = talk.edit("mark", mark=BAND)["revision"]
     talk.ask("forecast")
-    head, arrays = talk.wait("forecast", lambda one: one["revision"] == revision)
+    _, arrays = talk.wait("forecast", lambda one: one["revision"] == revision)
     assert len(arrays["sag"]) == len(talk.wait("print")[1]["strands"])
