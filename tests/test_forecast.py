@@ -16,7 +16,7 @@ from wireprint import Settings, _core, examples, forecast_terms, load_mesh, make
 from wireprint.forecast_terms import matter_of
 from wireprint.forecast_words import figure, sentences
 
-RULES = ["holds", "sags", "meets", "flows", "knots", "welds"]
+RULES = ["holds", "sags", "meets", "flows", "knots", "welds", "grips"]
 
 
 def gcode(*lines):
@@ -188,9 +188,9 @@ def test_the_command_says_a_sentence_for_each_rule_and_what_it_does_not_know(cub
     assert result.exit_code == 0
     lines = result.stdout.splitlines()
     assert "uncalibrated" in lines[0]
-    assert [line.split(":")[0].strip() for line in lines[1:7]] == RULES
-    assert lines[7] == "  What this forecast does not know:"
-    assert "may be half or twice as large" in lines[8]
+    assert [line.split(":")[0].strip() for line in lines[1:8]] == RULES
+    assert lines[8] == "  What this forecast does not know:"
+    assert "may be half or twice as large" in lines[9]
     still = run("simulate", target, "--set", "cooling.method=none")
     assert still.exit_code == 0
     assert "would lean" in still.stdout

@@ -48,6 +48,7 @@ __all__ = [
     "find_relationship",
     "forecast",
     "format_moves",
+    "frame",
     "growth",
     "heat_transfer",
     "holding_pause",
@@ -678,6 +679,15 @@ def certify(text: bytes, rules: Mapping[str, Any]) -> Certificate: ...
 def modes_after(
     text: bytes, rules: Mapping[str, Any]
 ) -> tuple[_Point, float, bool, float, bool]: ...
+def frame(
+    text: bytes, rules: Mapping[str, Any]
+) -> tuple[
+    npt.NDArray[np.float64],
+    npt.NDArray[np.bool_],
+    npt.NDArray[np.uint32],
+    npt.NDArray[np.uint32],
+    npt.NDArray[np.uint64],
+]: ...
 def growth(
     text: bytes, rules: Mapping[str, Any], modulus_mpa: float, most_work: float
 ) -> list[tuple[int, _Point, float]] | None: ...

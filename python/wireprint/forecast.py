@@ -7,15 +7,17 @@ A model throughout, no part of the certificate, and never more than it says of i
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 from wireprint import _core
 from wireprint import limits as motion_limits
 from wireprint._core import GcodeError
-from wireprint.forecast_terms import SPREAD, calibrated_spread, terms_of
+from wireprint.forecast_terms import SPREAD, calibrated_spread, stiffer, terms_of
+from wireprint.frames import NoSolverError
 from wireprint.gcode.source import NO_GCODE, read
+from wireprint.grip import grip
 from wireprint.rules import Judge, judge_of, rules_of
 from wireprint.verdict import Point
 
@@ -25,11 +27,12 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
+    from wireprint.grip import Grip
     from wireprint.settings import Settings
 
     Array = npt.NDArray[np.float64]
 
-Name = Literal["holds", "sags", "meets", "flows", "knots", "welds"]
+Name = Literal["holds", "sags", "meets", "flows", "knots", "welds", "grips"]
 Verdict = Literal["passes", "unsure", "fails", "ranking", "not judged"]
 
 #: A stroke may get so much more or less than its material, as a share: the core's.
@@ -41,6 +44,7 @@ _UNITS: Final[dict[str, str]] = {
     "flows": "",
     "knots": "mm",
     "welds": "",
+    "grips": "mm",
 }
 
 
@@ -109,6 +113,10 @@ class Forecast:
     rules: dict[str, Rule]
     #: Median share of a whole weld of the strands that are joined to others; None without such.
     weld_median: float | None
+    #: What it does between two fingers; None where that was not asked for, or not judged.
+    grip: Grip | None
+    #: Why it was not judged, where that was asked for.
+    ungripped: str
     #: The core's forecast, with all arrays.
     core: _core.Forecast = field(repr=False)
 
@@ -178,11 +186,14 @@ class Forecast:
             "material": settings.material.name,
             "rules": {name: rule.to_dict() for name, rule in self.rules.items()},
             "weld_median": self.weld_median,
+            "grip": None if self.grip is None else asdict(self.grip),
         }
 
 
 def simulate(
-    gcode: str | os.PathLike[str] | bytes, settings: str | Settings | None = None
+    gcode: str | os.PathLike[str] | bytes,
+    settings: str | Settings | None = None,
+    grip_n: float | None = None,
 ) -> Forecast:
     r"""Forecast what the strands of a G-code file do.
 
@@ -193,6 +204,9 @@ def simulate(
     settings
         Printer and material: settings, or name or path of a printer's profile. Default: what the
         file says that it was made with, else ``kossel-mini``.
+    grip_n
+        What two fingers press with, N, for the rule ``grips``; None: that is not judged. It takes
+        scipy (``pip install 'wireprint[grip]'``).
 
     Returns
     -------
@@ -232,8 +246,28 @@ def simulate(
     rules |= {name: _rule(name, found, settings) for name, found in others}
     if not core.frame_judged:
         rules["meets"] = _rule("meets", (None, 0, 0), settings)
+    gripped, why = _gripped(text, settings, grip_n)
+    rules["grips"] = _grips(gripped, settings)
     median = core.weld_median
-    return Forecast(judge, rules, None if math.isnan(median) else median, core)
+    return Forecast(judge, rules, None if math.isnan(median) else median, gripped, why, core)
+
+
+def _gripped(text: bytes, settings: Settings, force_n: float | None) -> tuple[Grip | None, str]:
+    """Return what two fingers do to a print, or why that is not told."""
+    if force_n is None:
+        return None, "asked for by --grip N, such as --grip 10"
+    try:
+        found = grip(text, settings, force_n, stiffer(settings))
+    except NoSolverError:
+        return None, "it takes scipy: pip install 'wireprint[grip]'"
+    return found, "" if found else "nothing is between the fingers, or too large a frame"
+
+
+def _grips(found: Grip | None, settings: Settings) -> Rule:
+    if found is None:
+        return _rule("grips", (None, 0, 0), settings)
+    worst = (found.squeeze_mm, found.line, found.place_mm, 0.0, found.bears_n)
+    return _rule("grips", (worst, found.over, found.of), settings)
 
 
 def _rule(name: Name, found: _core._Found, settings: Settings) -> Rule:

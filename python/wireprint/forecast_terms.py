@@ -28,9 +28,19 @@ def calibrated_spread(name: str, settings: Settings) -> float | None:
         return None
     if name == "holds":
         return 1 + _DEVIATIONS * known.pause_spread_s / known.pause_s
+    if name == "grips" and known.bending_n_mm2 is not None:
+        return 1 + _DEVIATIONS * known.bending_spread_n_mm2 / known.bending_n_mm2
     if name == "sags" and known.sags:
         return 1 + _DEVIATIONS * max(one.spread_mm / one.sag_mm for one in known.sags)
     return None
+
+
+def stiffer(settings: Settings) -> float:
+    """Return by how much stiffer strands bend than diameter and modulus say, as a mast told."""
+    known = settings.calibrated_by()
+    if known is None or known.bending_n_mm2 is None:
+        return 1.0
+    return known.bending_n_mm2 / of_strand(settings.strand_mm, settings.material.modulus_mpa)
 
 
 def matter_of(material: Material, strand_mm: float) -> dict[str, float]:
@@ -64,9 +74,6 @@ def terms_of(settings: Settings) -> dict[str, Any]:
     matter = matter_of(material, settings.strand_mm)
     known = settings.calibrated_by()
     spread, faster, farther = calibrated_spread("holds", settings) or SPREAD, 1.0, []
-    stiffer = 1.0
-    if known is not None and known.bending_n_mm2 is not None:
-        stiffer = known.bending_n_mm2 / of_strand(settings.strand_mm, material.modulus_mpa)
     if known is not None:
         faster = settings.solidify_s / known.pause_s
         lengths = [one.length_mm for one in known.sags]
@@ -82,7 +89,7 @@ def terms_of(settings: Settings) -> dict[str, Any]:
         "pressure_lag_s": printer.extruder.pressure_lag_s,
         "most_work": MOST_WORK,
         "sets_faster": (faster / spread, faster, faster * spread),
-        "stiffer": stiffer,
+        "stiffer": stiffer(settings),
         "sags_farther": farther,
     }
 

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 #: No pause is advised that is longer, s.
 _LONGEST_PAUSE_S: Final = 20.0
 
+#: A squeeze beyond this is none of a small deformation, mm.
+_SMALL_MM: Final = 1.0
+
 _WHAT: Final = {
     "holds": ("posts", "lean by {} when the nozzle leaves them"),
     "sags": ("stretches", "sag by {}"),
@@ -64,7 +67,8 @@ def unknown(settings: Settings) -> list[str]:
         trust,
         "Joints are taken as rigid, strands as straight and of one thickness: a print gives way at "
         "least as far as is told.",
-        "Welds are a ranking of places, not a strength; no figure says what a print bears.",
+        "Welds are a ranking of places, not a strength; what a hand may press with is a bound for "
+        "ideal joints and small squeezes, no promise.",
         "Left out: what the nozzle pushes when it meets a knot, curling and warping, vibration, "
         "draughts between strands, humidity, crystallisation, strings over travels.",
         "It is no part of the certificate, and no promise that a print succeeds.",
@@ -90,6 +94,8 @@ def _sentence(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     where = f"at ({x:.1f}, {y:.1f}, {z:.1f}), line {rule.line}"
     if rule.name == "welds":
         return _of_welds(rule, forecast, where)
+    if rule.name == "grips":
+        return _of_grip(rule, forecast, where)
     things, verb = _WHAT[rule.name]
     limit = rule.limit or 0.0
     low, high = (_amount(bound, rule.unit) for bound in rule.bounds or (0.0, 0.0))
@@ -118,12 +124,29 @@ def _of_welds(rule: Rule, forecast: Forecast, where: str) -> str:
     )
 
 
+def _of_grip(rule: Rule, forecast: Forecast, where: str) -> str:
+    found = forecast.grip
+    if found is None:
+        return _why_not(rule, forecast, forecast.judge.settings)
+    low, high = (_amount(bound, rule.unit) for bound in rule.bounds or (0.0, 0.0))
+    strength = forecast.judge.settings.material.strength_mpa
+    return (
+        f"two fingers that press with {figure(found.force_n)} N along {found.along} at half its "
+        f"height come {_amount(found.squeeze_mm, 'mm')} closer ({low} to {high}, with ideal "
+        f"joints); one strand in a hundred is at its strength of {strength:g} MPa with "
+        f"{figure(found.bears_n)} N, the most strained {where}"
+        + ("" if found.squeeze_mm <= _SMALL_MM else "; so far, it is a ranking only")
+    )
+
+
 def _why_not(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     if rule.name in ("flows", "knots") and settings.printer.extruder.pressure_lag_s <= 0:
         return (
             "not judged: extruder.pressure_lag_s is 0; the firmware's own test of pressure or "
             "linear advance tells it"
         )
+    if rule.name == "grips":
+        return f"not judged: {forecast.ungripped}"
     if rule.name == "meets" and not forecast.core.frame_judged:
         return "not judged: so large a frame would take too much work"
     return "nothing in this file is concerned"

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 # Bounds are what machines can be: from a watchmaker's printer to one that fills a hall. They keep
 # numbers away that would only overflow a formula or ask for more slices than there is memory.
 Millimetres = Annotated[float, Field(ge=0.1, le=2000)]
+Height = Annotated[float, Field(ge=0, le=5000, description="above the bed, mm")]
 BedSize = Annotated[float, Field(ge=10, le=5000)]
 Speed = Annotated[float, Field(ge=0.1, le=5000, description="mm/s")]
 Accel = Annotated[float, Field(ge=1, le=1e6, description="mm/s²")]
@@ -430,6 +431,9 @@ class Material(Section):
     modulus_mpa: float = Field(
         2200.0, ge=1, le=1e6, description="Young's, of the cold material; ABS unless told"
     )
+    strength_mpa: float = Field(
+        35.0, ge=0.1, le=1e4, description="of a cold strand, drawn or bent; ABS unless told"
+    )
     melt_viscosity_pa_s: float = Field(
         3000.0, ge=1, le=1e7, description="in shear, at the nozzle's temperature; estimated"
     )
@@ -483,6 +487,9 @@ class Wire(Section):
     )
     slab_max_mm: Millimetres | None = Field(
         None, description="highest slab; None: the head's cone height (paper: 6)"
+    )
+    low_slabs_mm: tuple[Height, Height, Millimetres] | None = Field(
+        None, description="from one height to another no slab is higher than so; slice --forecast"
     )
     pattern: Literal["zigzag", "peaks"] = Field(
         "zigzag", description="zigzag: contours and zigzag; peaks: the paper's figure 7c"

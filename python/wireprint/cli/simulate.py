@@ -51,6 +51,12 @@ COLOURS = ("sag", "compliance", "flow", "weld")
     metavar="KEY=VALUE",
     help="A single setting, such as air_mm_s.fan=4000; may be repeated.",
 )
+@click.option(
+    "--grip",
+    type=click.FloatRange(0.1, 1000),
+    metavar="N",
+    help="Press it between two fingers, newtons: how far it gives way and what it bears.",
+)
 @click.option("--html", type=OutputName(), help="Page to draw the strands to, in colours.")
 @click.option(
     "--colour",
@@ -65,6 +71,7 @@ def simulate(
     material: str | None,
     calibration: Path | None,
     overrides: tuple[str, ...],
+    grip: float | None,
     html: str | None,
     colour: str,
     as_json: bool,
@@ -81,7 +88,7 @@ def simulate(
     if html is not None:
         inputs = [path for path in (file, calibration) if path is not None]
         target = files.output(html, f"{file.stem}.html", files.PAGE_SUFFIXES, inputs)
-    found = forecast(file, _settings(file, printer, material, calibration, overrides))
+    found = forecast(file, _settings(file, printer, material, calibration, overrides), grip)
     if target is not None:
         from wireprint.forecast_page import page
 

@@ -17,10 +17,12 @@ if TYPE_CHECKING:
     from wireprint.cli.options import Chosen
     from wireprint.cli.progress import Progress
     from wireprint.files import Output
+    from wireprint.forecast import Forecast
     from wireprint.hosts import Host
-    from wireprint.pipeline import Clock
+    from wireprint.pipeline import Clock, WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
+    from wireprint.stiffening import Stiffened
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,8 @@ class Job:
     weak: bool
     #: Whether it is asked for what strands would do when they are hot and heavy.
     forecast: bool
+    #: What it is to bear between two fingers, N; None: that does not matter.
+    grip_n: float | None
     #: Whether each model is turned into its best pose.
     orient: bool
     #: What the print may take; None: whatever it takes.
@@ -122,6 +126,11 @@ class Job:
             raise UnprintableError(f"{model}: {error}{forced}") from error
         except (ModelError, UnprintableError) as error:
             raise type(error)("; ".join([f"{model}: {error}", *warnings])) from error
+        forecast = stiffer = None
+        if self.forecast:
+            with clock.stage("forecast"):
+                made, forecast, stiffer = self._stiffened(mesh, made, region, options)
+            settings = made.settings
         if made.certificate is not None and not made.certificate.ok:
             sequence = led_out(made.certificate, settings)
             if sequence is not None and not self.force:
@@ -141,14 +150,26 @@ class Job:
             warnings.append("how far it gives way while it grows was not judged: too much work")
         figures["warnings"] += warnings
         figures["sent"] = None
-        if self.forecast:
-            from wireprint.forecast import simulate
+        if forecast is not None:
             from wireprint.forecast_words import told
 
-            with clock.stage("forecast"):
-                figures["forecast"] = told(simulate(made.gcode, settings))
+            figures["forecast"] = told(forecast)
+            figures["stiffened"] = None if stiffer is None else asdict(stiffer)
         figures["budget"] = None if budgeted is None else budgeted.to_dict()
         return Sliced(made.gcode, figures, clock, budgeted)
+
+    def _stiffened(
+        self, mesh: Mesh, made: WirePrint, region: Region | None, options: dict[str, Any]
+    ) -> tuple[WirePrint, Forecast, Stiffened | None]:
+        """Make a print anew that gives way; within a budget, or onto others, only tell it."""
+        from wireprint.forecast import simulate
+        from wireprint.stiffening import stiffened
+
+        stands = self.onto is not None and (bool(self.onto) or any(self.onto.at_mm))
+        as_it_is = self.budget is not None or stands or self.force
+        if as_it_is or made.certificate is None or not made.certificate.ok:
+            return made, simulate(made.gcode, made.settings, self.grip_n), None
+        return stiffened(mesh, made, region, options, grip_n=self.grip_n, kept=self.kept)
 
     def _loaded(self, path: Path) -> tuple[Mesh, Settings, Region | None]:
         """Read a model; one that cannot be marked is spared what marks import."""

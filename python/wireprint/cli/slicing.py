@@ -59,7 +59,14 @@ if TYPE_CHECKING:
 @click.option(
     "--forecast",
     is_flag=True,
-    help="Tell what strands would do when they are hot and heavy, as wireprint simulate does.",
+    help="Tell what strands would do when they are hot and heavy, as wireprint simulate does, and "
+    "print lower slabs or thicker strands where the print would give way.",
+)
+@click.option(
+    "--grip",
+    type=click.FloatRange(0.1, 1000),
+    metavar="N",
+    help="Ask for a print that bears so many newtons between two fingers; with --forecast.",
 )
 @click.option("--send", metavar="NAME", help="Host of yours to send the file to, certified.")
 @click.option("--start", is_flag=True, help="Print at once what is sent.")
@@ -74,6 +81,7 @@ def slice_models(
     force: bool,
     weak: bool,
     forecast: bool,
+    grip: float | None,
     send: str | None,
     start: bool,
     quiet: bool,
@@ -91,6 +99,7 @@ def slice_models(
     into its own strands, leave them hanging, or leave more than a twentieth of the surface bare
     (wire.coverage_min), is refused.
     """
+    forecast = forecast or grip is not None
     chosen, marks = chosen_from(options), marks_from(options, models)
     host = _host(send, start, models)
     wanted = budget_from(options)
@@ -104,14 +113,15 @@ def slice_models(
     pictures = _pictures(models, wanted.picture, inputs)
     job = Job(
         chosen,
-        # A budget asks them more than a print does.
-        chosen.recalled() if wanted.budget is None else chosen.settings(),
+        # A budget and a forecast ask them more than a print does.
+        chosen.recalled() if wanted.budget is None and not forecast else chosen.settings(),
         marks,
         options,
         force=force,
         compare=as_json or not quiet,
         weak=as_json or weak,
         forecast=forecast,
+        grip_n=grip,
         orient=orient,
         budget=wanted.budget,
         kept=named_keys(chosen),

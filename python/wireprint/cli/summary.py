@@ -63,11 +63,33 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
         yield _row("forecast", f"{forecast['trust']}, a model and no part of the certificate")
         for sentence in forecast["sentences"]:
             yield _row("", sentence)
+    if (stiffer := figures.get("stiffened")) is not None:
+        yield from _of_stiffening(stiffer)
     for sentence in figures["warnings"]:
         yield _row("note", sentence)
     if (sent := figures["sent"]) is not None:
         what = "is printed" if sent["started"] else "waits to be started"
         yield _row("sent", f"to {sent['host']}, where {sent['file']} {what}")
+
+
+def _of_stiffening(stiffer: Mapping[str, Any]) -> Iterator[str]:
+    """Say what was done about a print that would give way."""
+    tried = f"{stiffer['tried']} prints were tried"
+    if not stiffer["overrides"]:
+        yield _row("stiffer", f"nothing helps: {tried}")
+        return
+    sets = " ".join(f"--set '{override}'" for override in stiffer["overrides"])
+    before, after = (stiffer[f"meets_{when}_mm"] or 0.0 for when in ("before", "after"))
+    grips = ""
+    if stiffer["bears_after_n"] is not None:
+        grips = f"; bears {stiffer['bears_before_n']:.2g} → {stiffer['bears_after_n']:.2g} N"
+    enough = "" if stiffer["enough"] else "; that does not suffice yet"
+    yield _row("stiffer", f"with {sets}, of {tried}")
+    yield _row(
+        "",
+        f"strands are pulled aside by {before:.2g} → {after:.2g} mm{grips}, in "
+        f"{clock(stiffer['print_time_before_s'])} → {clock(stiffer['print_time_after_s'])}{enough}",
+    )
 
 
 def _of_regions(regions: Mapping[str, Any]) -> Iterator[str]:

@@ -60,7 +60,7 @@ mod _core {
     #[pymodule_export]
     use super::nearest::nearest;
     #[pymodule_export]
-    use super::physics::growth;
+    use super::physics::{frame, growth};
     #[pymodule_export]
     use super::render::{Scene, Strands, Thumbnails};
     #[pymodule_export]

@@ -8,6 +8,7 @@
 
 mod band;
 mod beam;
+mod beams;
 mod climate;
 mod clock;
 mod closest;
@@ -30,6 +31,7 @@ mod scene;
 mod six;
 mod weld;
 
+pub use beams::{Beams, beams_of_text};
 pub use clock::Times;
 pub use conditions::Switch;
 pub use forecast::{Forecast, PerStrand, forecast_text};

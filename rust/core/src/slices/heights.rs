@@ -84,7 +84,10 @@ fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec
     let same = SAME * p.strand;
     let mut stops = vec![first];
     stops.extend(wanted.iter().map(|w| w.low).filter(|&z| z > first + same && z < last - same));
+    let inside = |z: &f64| first + same < *z && *z < last - same;
+    stops.extend(p.low_slabs.iter().flat_map(|low| low.ends()).filter(inside));
     stops.push(last);
+    stops.sort_by(f64::total_cmp);
     let mut out = stops.clone();
     for pair in stops.windows(2) {
         let gap = pair[1] - pair[0];
@@ -92,9 +95,13 @@ fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec
             out.extend((1..parts).map(|i| pair[0] + gap * i as f64 / parts as f64));
         };
         divide((gap / step).ceil() as usize);
-        let fewest = (gap / p.slab_max).ceil() as usize;
-        divide(fewest);
-        divide(fewest + 1);
+        let low =
+            p.low_slabs.map(|low| low.most(pair[0], pair[1])).filter(|most| *most < p.slab_max);
+        for most in std::iter::once(p.slab_max).chain(low) {
+            let fewest = (gap / most).ceil() as usize;
+            divide(fewest);
+            divide(fewest + 1);
+        }
         if gap < p.slab_min {
             divide(2);
         }

@@ -45,6 +45,7 @@ impl Printer {
             deviation_target: 0.3 * scale,
             speed: 30.0 * scale,
             pause: 1.0,
+            low_slabs: None,
             climb: None,
         };
         let wire = WireParams {

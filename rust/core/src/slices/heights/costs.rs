@@ -46,7 +46,10 @@ impl Costs<'_> {
         let (heights, p) = (self.heights, self.params);
         let begin = heights.partition_point(|&z| heights[j] - z > p.slab_max + 1e-9);
         let end = heights.partition_point(|&z| heights[j] - z >= LOWEST * p.slab_min);
-        (begin..end).map(|i| (i, self.slab(i, j))).collect()
+        let most =
+            |i: usize| p.low_slabs.map_or(f64::INFINITY, |low| low.most(heights[i], heights[j]));
+        let fits = |i: &usize| *i + 1 == j || heights[j] - heights[*i] <= most(*i) + 1e-9;
+        (begin..end).filter(fits).map(|i| (i, self.slab(i, j))).collect()
     }
 
     /// Cost of the slab between two candidates, in seconds of printing.

@@ -4,6 +4,23 @@ use serde::Deserialize;
 
 use crate::climb::Climb;
 
+/// From one height to another slabs are no higher than so, mm.
+#[derive(Debug, Clone, Copy, Deserialize)]
+pub struct LowSlabs(f64, f64, f64);
+
+impl LowSlabs {
+    /// Greatest height of a slab between two heights; infinite where it lies elsewhere.
+    pub fn most(self, from: f64, to: f64) -> f64 {
+        let Self(low, high, most) = self;
+        if low < to && from < high { most } else { f64::INFINITY }
+    }
+
+    /// Where they begin and end.
+    pub fn ends(self) -> [f64; 2] {
+        [self.0, self.1]
+    }
+}
+
 /// What the choice of heights depends on; lengths in mm.
 #[derive(Debug, Clone, Copy, Deserialize)]
 pub struct HeightParams {
@@ -31,6 +48,9 @@ pub struct HeightParams {
     /// Pause at each post, s.
     #[serde(rename = "pause_s")]
     pub pause: f64,
+    /// Where slabs are lower than elsewhere.
+    #[serde(rename = "low_slabs_mm")]
+    pub low_slabs: Option<LowSlabs>,
     /// The axis that raises the head; None where it is as fast as the others.
     pub climb: Option<Climb>,
 }

@@ -1,0 +1,89 @@
+"""Holds the growing frame against sparse solves of its parts: all shared models, 30, 60 and 90 %.
+
+python benches/frames.py [--most STRANDS]
+
+For each model of `../shared/models`, printed by the default printer on a roomy bed: the
+compliance that a free end had when its strand was laid, by the forecast, against that of the frame
+up to there, solved as a whole by scipy. Fails where one is off by more than 1e-8, or none is found.
+"""
+
+import argparse
+import sys
+from dataclasses import asdict
+
+import numpy as np
+
+import shared_models
+from wireprint.bench.plan import Placement, plan
+from wireprint.forecast import simulate
+from wireprint.frames import Frame, flexibility, shifts_under
+from wireprint.model import load_model
+from wireprint.pipeline import make
+
+SHARES = (0.3, 0.6, 0.9)
+ALLOWED = 1e-8
+
+
+def free_end(frame, first):
+    """The first strand from `first` on that ends freely when it is laid, and the node there."""
+    for strand in range(first, int(frame.strands.max()) + 1):
+        own = frame.ends[frame.strands == strand]
+        if len(own):
+            node = own[-1][1]
+            laid = frame.ends[frame.strands <= strand]
+            if not frame.on_bed[node] and np.count_nonzero(laid == node) == 1:
+                return strand, node
+    return None
+
+
+def off(gcode, settings):
+    """Relative differences at the shares of a print."""
+    compliance = simulate(gcode, settings).compliance_mm_n
+    frame = Frame.of(gcode, settings)
+    frame = frame.only(~frame.on_bed[frame.ends].all(axis=1))
+    for share in SHARES:
+        found = free_end(frame, round(share * int(frame.strands.max())))
+        if found is None or np.isnan(compliance[found[0]]):
+            continue
+        strand, node = found
+        laid = frame.only(frame.strands <= strand)
+        at = int(np.argmin(np.linalg.norm(laid.places - frame.places[node], axis=1)))
+        units = [np.zeros((len(laid.places), 3)) for _ in range(3)]
+        for axis, unit in enumerate(units):
+            unit[at, axis] = 1.0
+        flexible = flexibility(laid, settings.strand_mm, settings.material.modulus_mpa)
+        shifts = shifts_under(laid, flexible, laid.on_bed, units)
+        block = np.array([shift[at, :3] for shift in shifts])
+        expected = np.linalg.eigvalsh((block + block.T) / 2)[-1]
+        yield strand, abs(compliance[strand] / expected - 1)
+
+
+def main():
+    """Compare all, and say what is off."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--most", type=int, default=10**9, help="skip prints of more strands")
+    parser.add_argument("--only", default="", help="models whose file's name has this text")
+    options = parser.parse_args()
+    settings = shared_models.roomy("kossel-mini/abs")
+    manifest = str(shared_models.SHARED / "models" / "manifest.csv")
+    worst, compared = 0.0, 0
+    for task in plan([manifest], Placement(), {}):
+        if options.only not in task.model:
+            continue
+        try:
+            mesh = load_model(task.model, **asdict(task.placement)).mesh
+            made = make(mesh, settings, partial=True, compare=False)
+        except ValueError as error:
+            print(task.model, error, flush=True)
+            continue
+        if made.wireframe.strand_count > options.most:
+            continue
+        for strand, wrong in off(made.gcode, settings):
+            worst, compared = max(worst, wrong), compared + 1
+            print(f"{task.model} strand {strand}: {wrong:.1e}", flush=True)
+    print(f"{compared} places compared, off by {worst:.1e} at worst")
+    sys.exit(worst > ALLOWED or compared == 0)
+
+
+if __name__ == "__main__":
+    main()

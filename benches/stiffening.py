@@ -1,0 +1,98 @@
+"""Writes docs/stiffening.md: what `slice --forecast` does about prints that would give way.
+
+python benches/stiffening.py [manifest.csv] [-o PAGE] [--jobs N]
+
+For each model of `../shared/models` at the size of its manifest, on two printers: how far what a
+strand ends on is pulled aside at worst, before and after, and what that costs.
+"""
+
+import sys
+
+import shared_models
+from wireprint.bench.local import cores
+from wireprint.forecast import simulate
+from wireprint.pipeline import make
+from wireprint.stiffening import stiffened
+from wireprint.timing import clock
+
+MACHINES = ("kossel-mini/abs", "prusa-mk4s/pla")
+PAGE = """# Prints that would give way
+
+Written by `python benches/stiffening.py`. Each model of `../shared/models` at the size of its
+manifest, as `wireprint slice --forecast` prints it; on beds that are large enough for all.
+**Pulled aside** is the rule `meets` of the [forecast](forecast.md): how far the nozzle's pull of
+0.01 N moves what a strand ends on, at worst, mm; it may be half a strand. Where it is more, lower
+slabs (about the place, below it, or throughout), thicker strands and both are tried, and the
+quickest that suffices is printed, else that which gives way least, if that is a tenth less. It is a
+model throughout, with ideal joints; no figure was measured on a printer.
+
+{tables}
+{summary}
+"""
+
+
+def evaluate(model, settings, row):
+    """Fill in how far a print gives way, before and after, and the time that it takes."""
+    options = {"partial": True, "compare": False}
+    made = make(model.mesh, settings, **options)
+    _, found, told = stiffened(model.mesh, made, None, options)
+    rule = found.rules["meets"]
+    row["limit_mm"], row["verdict"] = rule.limit, rule.verdict
+    row["before_mm"] = rule.worst if told is None else told.meets_before_mm
+    row["after_mm"] = rule.worst
+    time_s = made.estimate.total_s
+    row["time_before_s"] = time_s
+    row["time_after_s"] = time_s if told is None else told.print_time_after_s
+    row["with"] = "" if told is None else " ".join(told.overrides) or "nothing helps"
+    if told is None and rule.worst is not None:
+        assert simulate(made.gcode, settings).rules["meets"].worst == rule.worst
+
+
+def millimetres(value):
+    """Show a length, or that there is none."""
+    return "–" if value is None else f"{value:.2g}"
+
+
+COLUMNS = {
+    "model": lambda row: row["model"],
+    "pulled aside, mm": lambda row: (
+        f"{millimetres(row['before_mm'])} → {millimetres(row['after_mm'])}"
+    ),
+    "limit": lambda row: millimetres(row["limit_mm"]),
+    "time": lambda row: f"{clock(row['time_before_s'])} → {clock(row['time_after_s'])}",
+    "with": lambda row: row["with"].replace("wire.", ""),
+}
+
+
+def told(machine, rows):
+    """Say in a sentence how many prints were beyond the limit, and how many are."""
+    judged = [row for row in rows if row.get("after_mm") is not None]
+    over = [
+        sum(row[when] > row["limit_mm"] for row in judged) for when in ("before_mm", "after_mm")
+    ]
+    before, after = (sum(row[key] for row in judged) for key in ("time_before_s", "time_after_s"))
+    return (
+        f"- {machine}: of {len(judged)} prints {over[0]} → {over[1]} are pulled aside by more than "
+        f"half a strand; all together take {clock(before)} → {clock(after)}.\n"
+    )
+
+
+def main():
+    """Measure, and write the page."""
+    options = shared_models.arguments(__doc__.splitlines()[0], "stiffening.md")
+    jobs = options.jobs or cores()
+    found = {machine: [] for machine in MACHINES}
+    for machine, model, row in shared_models.on_each(MACHINES, [options.manifest], evaluate, jobs):
+        found[machine].append(row | {"model": model})
+        print(machine, model, row.get("error") or row.get("after_mm"), file=sys.stderr, flush=True)
+    tables, summary = "", ""
+    for machine, rows in found.items():
+        rows.sort(key=lambda row: row["model"])
+        tables += f"## {machine}\n\n{shared_models.markdown(COLUMNS, rows)}\n\n"
+        summary += told(machine, rows)
+    page = PAGE.format(tables=tables.rstrip(), summary=summary.rstrip())
+    options.output.write_text(page, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
