@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 import trimesh
 
@@ -27,7 +28,7 @@ def sphere(tmp_path_factory):
 def test_a_mesh_that_does_not_fit_is_named_with_a_way_out(sphere):
     done = wireprint("slice", sphere, "-o", sphere.with_suffix(".gcode"), memory="1M")
     assert done.returncode == 3
-    assert "sphere.stl: a mesh of 20480 triangles would take about 5 MB" in done.stderr
+    assert "sphere.stl: a mesh of 20480 triangles would take about 3 MB" in done.stderr
     assert "WIREPRINT_MEMORY=1G" in done.stderr
     assert not sphere.with_suffix(".gcode").exists()
 
@@ -37,6 +38,67 @@ def test_the_way_out_works(sphere):
     done = wireprint("slice", sphere, "-o", target, "-q", memory="1G")
     assert done.returncode == 0, done.stderr
     assert target.exists()
+
+
+#: Prints by how many bytes the memory of a process grew at most, whether a model was read or not.
+GROWTH = """
+import resource, sys
+from wireprint import ModelError, load_mesh
+import wireprint.file3mf, wireprint.fileamf
+peak = lambda: 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+before = peak()
+try:
+    load_mesh(sys.argv[1])
+except ModelError:
+    pass
+print(peak() - before)
+"""
+#: What the process itself may take meanwhile: stacks of threads, buffers of files.
+ASIDE = 8 << 20
+
+
+def growth(path):
+    done = subprocess.run(
+        [sys.executable, "-c", GROWTH, str(path)], capture_output=True, text=True, check=True
+    )
+    return int(done.stdout)
+
+
+@pytest.fixture(scope="module")
+def fine():
+    """A sphere of 327 680 triangles."""
+    return trimesh.creation.icosphere(subdivisions=7, radius=30)
+
+
+@pytest.mark.parametrize(("suffix", "each"), [("stl", 120), ("ply", 120), ("3mf", 160)])
+def test_a_mesh_takes_no_more_than_was_claimed_for_it(suffix, each, fine, tmp_path):
+    path = tmp_path / f"fine.{suffix}"
+    fine.export(path)
+    count = len(fine.faces)
+    assert growth(path) < each * count + ASIDE
+    # Nor is much more claimed: a budget of a little above that is enough, unless the file is read
+    # as a whole besides.
+    refused = wireprint("info", path, memory=f"{each * count - (1 << 20)}")
+    assert str(path) in refused.stderr
+    if suffix != "ply":
+        assert f"a mesh of {count} triangles" in refused.stderr
+        enough = wireprint("info", path, memory=f"{each * count + (1 << 20)}")
+        assert enough.returncode == 0, enough.stderr
+
+
+def test_open_edges_are_claimed_before_they_are_mended(fine, tmp_path):
+    """Facets that share no vertex take four times as much as others."""
+    path = tmp_path / "apart.stl"
+    random = np.random.default_rng(1)
+    corners = fine.triangles + random.normal(0, 0.3, (len(fine.faces), 1, 3))
+    trimesh.Trimesh(corners.reshape(-1, 3), np.arange(corners.size // 3).reshape(-1, 3)).export(
+        path
+    )
+    count = len(fine.faces)
+    assert growth(path) < (120 + 3 * 170) * count + ASIDE
+    refused = wireprint("info", path, memory=f"{300 * count}")
+    assert refused.returncode == 3
+    assert f"a mesh of {count} triangles with {3 * count} open edges" in refused.stderr
 
 
 def test_a_print_that_does_not_fit_is_refused_before_it_is_planned(cube):

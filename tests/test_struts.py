@@ -3,14 +3,19 @@
 import csv
 import io
 import json
+import random
+import zipfile
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import wireprint
+from struts_files import GRAPHS
 from wireprint import cli
-from wireprint.struts import READ, WRITTEN, Graph, order, read_struts, struts_as
+from wireprint.struts import READ, WRITTEN, Graph, beam_model, order, read_struts, struts_as
 from wireprint.struts.frames import COLUMNS, as_csv, as_json
 
 #: A head that is slim enough for lattices: a long nozzle.
@@ -275,3 +280,134 @@ def test_the_command_names_what_it_cannot_print(tmp_path):
     assert told.exit_code == 5
     assert "nothing leads to it" in told.output
     assert not (tmp_path / "a.gcode").exists()
+
+
+# --- files that are damaged, or larger than they look
+
+#: What reads as a number somewhere, and is none there.
+ODD = [b"nan", b"-1", b"1e999", b"9" * 400, b"99999999999", b"null", b"[]", b'"a"', b"{}"]
+
+
+@pytest.mark.parametrize("kind", sorted(GRAPHS))
+@given(seed=st.integers(0, 2**32 - 1))
+@settings(max_examples=60, deadline=None)
+def test_a_damaged_file_is_read_or_refused_by_name(kind, seed, tmp_path_factory):
+    draw = random.Random(seed)
+    content = bytearray(GRAPHS[kind])
+    for _ in range(draw.randint(1, 3)):
+        place = draw.randrange(len(content))
+        content[place : place + draw.randint(0, 6)] = draw.choice([*ODD, draw.randbytes(3)])
+    path = tmp_path_factory.mktemp("odd") / f"a.{kind}"
+    path.write_bytes(content)
+    try:
+        read_struts(path)
+    except wireprint.ModelError as error:
+        assert str(path) in str(error)  # noqa: PT017
+
+
+def test_struts_that_share_an_end_or_a_place_are_welded_without_comparing_all():
+    """Squares of these numbers would be memory that nobody has."""
+    count = 60_000
+    fan = np.zeros((count, 2, 3))
+    fan[:, 1] = np.column_stack([np.linspace(1, 200, count), np.full(count, 5.0), np.ones(count)])
+    assert len(Graph.of_segments(fan).nodes) == count + 1
+    column = np.zeros((count, 2, 3))
+    column[:, :, 2] = np.arange(count)[:, None] + [0, 1]
+    assert len(Graph.of_segments(column).nodes) == count + 1
+    near = np.zeros((count, 2, 3))
+    near[:, 1, 0] = 7 + 1e-9 * np.arange(count)
+    assert len(Graph.of_segments(near).nodes) == 2
+
+
+def test_ends_are_one_node_across_the_borders_of_what_compares_them():
+    at = np.array([1.0, 2.0, 3.0])
+    for step in (0.9e-3 * np.eye(3)).tolist():
+        for sign in (1, -1):
+            there = at + sign * np.array(step)
+            graph = Graph.of_segments([[[0, 0, 0], at], [there, [9, 9, 9]]])
+            assert len(graph.nodes) == 3
+    apart = Graph.of_segments([[[0, 0, 0], at], [at + np.array([3e-3, 0, 0]), [9, 9, 9]]])
+    assert len(apart.nodes) == 4
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"nodes": [{"mesh": 0, "children": [0]}], "scenes": [{"nodes": [0]}]}, "two parents"),
+        ({"nodes": [{"mesh": 0, "children": [1, 1]}, {}]}, "two parents"),
+        ({"bufferViews": [{"buffer": 0, "byteStride": 0}]}, "stride"),
+        ({"accessors": [{"bufferView": 0, "count": 10**9}]}, "repeat meshes"),
+        ({"nodes": [{"mesh": 0}] * 3000}, "repeat meshes"),
+        ({"nodes": [{"mesh": 0, "translation": [1e308, 0, 0]}]}, "no number"),
+    ],
+)
+def test_a_scene_that_is_larger_than_its_file_is_refused(change, words, tmp_path):
+    document = {
+        "scenes": [{}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 3}]}],
+        "buffers": [{"uri": "data:;base64," + "AAAA" * 3000}],
+        "bufferViews": [{"buffer": 0, "byteLength": 9000}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 750, "type": "VEC3"}],
+    }
+    (tmp_path / "a.gltf").write_text(json.dumps(document | change))
+    with pytest.raises(wireprint.ModelError, match=f"a.gltf: .*{words}"):
+        read_struts(tmp_path / "a.gltf")
+
+
+def beam_file(path, body, unit="millimeter"):
+    """A 3MF file with two beams along x and y in object 1, and what `body` says besides."""
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr(
+            "3D/3dmodel.model",
+            f'<model unit="{unit}" xmlns="{beam_model.CORE}" xmlns:b="{beam_model.BEAM}">'
+            '<resources><object id="1"><mesh><vertices><vertex x="0" y="0" z="0"/>'
+            '<vertex x="5" y="0" z="0"/><vertex x="0" y="4" z="0"/></vertices>'
+            '<b:beamlattice radius="0.5"><b:beams><b:beam v1="0" v2="1"/><b:beam v1="0" v2="2"/>'
+            f"</b:beams></b:beamlattice></mesh></object>{body}</model>",
+        )
+    return path
+
+
+def test_beams_stand_where_items_and_components_put_them(tmp_path):
+    path = beam_file(
+        tmp_path / "a.3mf",
+        '<object id="2"><components><component objectid="1"/>'
+        '<component objectid="1" transform="2 0 0 0 2 0 0 0 2 0 0 10"/></components></object>'
+        '</resources><build><item objectid="2" transform="0 1 0 -1 0 0 0 0 1 100 0 0"/></build>',
+        "centimeter",
+    )
+    graph = read_struts(path)
+    # Turned by 90° about z, then moved: x becomes y, y becomes -x.
+    there = 10 * np.array(
+        [
+            [[100, 0, 0], [100, 5, 0]],
+            [[100, 0, 0], [96, 0, 0]],
+            [[100, 0, 10], [100, 10, 10]],
+            [[100, 0, 10], [92, 0, 10]],
+        ]
+    )
+    assert graph.ends == pytest.approx(there)
+    assert graph.radius_mm == pytest.approx([5, 5, 10, 10])
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ('<object id="2"><components><component objectid="2"/></components></object>'
+         '</resources><build><item objectid="2"/></build>', "holds itself"),
+        ("".join(f'<object id="{i}"><components>' + f'<component objectid="{i - 1}"/>' * 2
+                 + "</components></object>" for i in range(2, 45))
+         + '</resources><build><item objectid="44"/></build>', "built too often"),
+        ('</resources><build><item objectid="7"/></build>', "not there"),
+        ('</resources><build><item objectid="1" transform="1 2"/></build>', "damaged element"),
+        ("</resources>", ""),
+    ],
+)  # fmt: skip
+def test_beams_that_are_built_wrongly_are_refused_by_name(body, words, tmp_path):
+    path = beam_file(tmp_path / "a.3mf", body)
+    if not words:
+        assert len(read_struts(path)) == 2
+        return
+    with pytest.raises(wireprint.ModelError, match=f"a.3mf: .*{words}"):
+        read_struts(path)

@@ -80,7 +80,8 @@ def primitives(text: bytes, most_corners: int) -> Iterator[Primitive]:
             order = np.arange(len(places))
             if "indices" in primitive:
                 order = _accessor(document, binary, primitive["indices"]).ravel()
-            places = MM * (places @ matrix[:3, :3].T + matrix[:3, 3])
+            with np.errstate(over="ignore", invalid="ignore"):
+                places = MM * (places @ matrix[:3, :3].T + matrix[:3, 3])
             if not np.isfinite(places).all():
                 raise ModelError("a damaged glTF file: a position is no number")
             if len(order) and int(order.max()) >= len(places):

@@ -158,9 +158,9 @@ class Inputs:
         if draw.random() < 0.2:
             option = draw.choice(["--scale", "--height", "--slab-min", "--slab-max", "--rotate"])
             words += [option, draw.choice(NUMBERS)]
-        return Case(
-            "setting", words, ["--set", "cube.stl", *[w[2:] for w in words if w[:2] == "--"]]
-        )
+        names = [key.rpartition(".")[2] for key in keys]
+        options = [word[2:] for word in words if word.startswith("--")]
+        return Case("setting", words, ["--set", "cube.stl", *options, *names])
 
     def toml(self, draw: random.Random) -> Case:
         """Profiles and other files of settings."""

@@ -27,6 +27,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from bgcode_files import whole
 from model_files import DIALECTS
+from struts_files import GRAPHS
 from threemf_files import CORE, MODEL, cube_object, item, model
 
 LONGEST_S = 10
@@ -152,6 +153,9 @@ def made(chance: random.Random) -> tuple[str, bytes]:
     if chance.random() < 0.1:
         ways = (whole(chance.randrange(4), chance.randrange(3), checked=False) for _ in range(2))
         return "bgcode", damaged(next(ways), [next(ways)], chance)
+    if chance.random() < 0.1:
+        kind = chance.choice(sorted(GRAPHS))
+        return f"struts.{kind}", damaged(GRAPHS[kind], list(GRAPHS.values()), chance)
     suffix, content = chance.choice(list(DIALECTS.values()))
     others = [other for kind, other in DIALECTS.values() if kind == suffix]
     return suffix, damaged(content, others, chance)
@@ -176,10 +180,12 @@ def serve(pipe: multiprocessing.connection.Connection) -> None:
     from wireprint._core import FaultError, WireprintError
     from wireprint.gcode.source import read
     from wireprint.model import load_model
+    from wireprint.struts import read_struts
 
     while (path := pipe.recv()) is not None:
         try:
-            (read if path.endswith(".bgcode") else load_model)(path)
+            reader = read_struts if ".struts." in path else load_model
+            (read if path.endswith(".bgcode") else reader)(path)
             said = "read"
         except FaultError as error:
             said = f"FAULT {error}"

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wireprint import files
+from wireprint._core import GcodeError
 from wireprint.cli.marks import marks_from, marks_options
 from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
 from wireprint.cli.say import say
+from wireprint.naming import named
 from wireprint.streams import STREAM, is_stream
 
 if TYPE_CHECKING:
@@ -160,12 +162,24 @@ def view(
         "weak": [place.place_mm for place in places],
     }
     if str(target).lower().endswith(files.PAGE_SUFFIXES):
-        target.write(pictures.render_html(shown, gcode=gcode, **common).encode())
+        target.write(_page(shown, gcode, file, common).encode())
     else:
         target.write(pictures.render_png(shown, size=size, edges=edges, **common))
     say(f"{target}: {file.name}", err=output == STREAM)
     for place in places:
         say(f"  weak        {place}", err=output == STREAM)
+
+
+def _page(shown: Shown, gcode: bytes | None, file: Path, common: dict[str, Any]) -> str:
+    """Draw a page; where G-code cannot be timed, its strands take turns, and that is said."""
+    from wireprint import view as pictures
+
+    try:
+        return pictures.render_html(shown, gcode=gcode, **common)
+    except GcodeError as error:
+        why = str(error).rpartition("; ")[0] or error
+        say(f"{file}: {why}; strands are shown in their order, without times", err=True)
+        return pictures.render_html(shown, **common)
 
 
 def _weak(file: Path) -> tuple[Weak, ...]:
@@ -175,7 +189,8 @@ def _weak(file: Path) -> tuple[Weak, ...]:
     from wireprint.weakness import find_weak
 
     text, _ = read(file)
-    places = find_weak(text, settings_for(text, None))
+    with named(file):
+        places = find_weak(text, settings_for(text, None))
     if places is None:
         say(f"{file}: how far it gives way was not judged: too much work", err=True)
     return places or ()

@@ -1,42 +1,26 @@
-"""Struts as the beam lattice of a 3MF file.
-
-Notes
------
-3MF Consortium, *Beam Lattice Extension*, version 1.2: ``beamlattice`` within a mesh, with the radii
-of both ends of each beam.
-"""
+"""Struts as the beam lattice of a 3MF file."""
 
 from __future__ import annotations
 
 import io
 import zipfile
 from typing import TYPE_CHECKING, Final
-from xml.etree import ElementTree
 
 import numpy as np
 
 from wireprint._core import ModelError
+from wireprint.struts.beam_model import BEAM, CORE, BeamModel
 from wireprint.struts.graph import Graph
 from wireprint.threemf.archive import Archive
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-_CORE: Final = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
-_BEAM: Final = "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02"
 _RELATION: Final = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
-_MM: Final = {
-    "micron": 0.001,
-    "millimeter": 1.0,
-    "centimeter": 10.0,
-    "inch": 25.4,
-    "foot": 304.8,
-    "meter": 1000.0,
-}
 
 
 def read_3mf(path: Path) -> Graph:
-    """Read the beams of all beam lattices of a 3MF file, in its unit.
+    """Read the beams of all lattices that a 3MF file builds, each where it stands.
 
     Raises
     ------
@@ -47,7 +31,7 @@ def read_3mf(path: Path) -> Graph:
     with Archive(path) as archive:
         for name in archive.names():
             if name.lower().endswith(".model"):
-                found += _lattices(archive.read(name, b"".join))
+                found += archive.read(name, lambda chunks: list(BeamModel(chunks).built()))
     if not found:
         raise ModelError("it holds no beam lattice (3MF Beam Lattice Extension)")
     ends = np.concatenate([graph.ends for graph in found])
@@ -74,7 +58,7 @@ def write_3mf(graph: Graph, radius_mm: float) -> bytes:
     )
     model = (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
-        f'<model unit="millimeter" xmlns="{_CORE}" xmlns:b="{_BEAM}" requiredextensions="b">'
+        f'<model unit="millimeter" xmlns="{CORE}" xmlns:b="{BEAM}" requiredextensions="b">'
         f'<resources><object id="1" type="model"><mesh><vertices>{vertices}</vertices><triangles/>'
         f'<b:beamlattice radius="{radius_mm:.6g}" minlength="{shortest / 2:.6g}" cap="sphere">'
         f"<b:beams>{beams}</b:beams></b:beamlattice></mesh></object></resources>"
@@ -102,35 +86,3 @@ def write_3mf(graph: Graph, radius_mm: float) -> bytes:
             # The same input, the same bytes: no time of today.
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), text)
     return buffer.getvalue()
-
-
-def _lattices(text: bytes) -> list[Graph]:
-    if b"<!DOCTYPE" in text or b"<!ENTITY" in text:
-        raise ModelError("a document type in 3MF: it is not allowed there")
-    try:
-        # Without document types nothing expands.
-        root = ElementTree.fromstring(text)  # noqa: S314
-    except ElementTree.ParseError as error:
-        raise ModelError(f"damaged XML: {error}") from None
-    scale = _MM.get(root.get("unit", "millimeter"), 1.0)
-    found = []
-    for mesh in root.iter(f"{{{_CORE}}}mesh"):
-        lattice = mesh.find(f"{{{_BEAM}}}beamlattice")
-        if lattice is None:
-            continue
-        try:
-            nodes = [
-                [float(vertex.get(axis, "")) for axis in "xyz"]
-                for vertex in mesh.iter(f"{{{_CORE}}}vertex")
-            ]
-            usual = float(lattice.get("radius", "0"))
-            beams = [
-                (int(beam.get("v1", "")), int(beam.get("v2", "")), float(beam.get("r1", usual)))
-                for beam in lattice.iter(f"{{{_BEAM}}}beam")
-            ]
-        except ValueError as error:
-            raise ModelError(f"a vertex or beam of it is none: {error}") from None
-        edges = np.array([beam[:2] for beam in beams])
-        radius = scale * np.array([beam[2] for beam in beams])
-        found.append(Graph(scale * np.array(nodes), edges, radius))
-    return found

@@ -77,7 +77,7 @@ def _plain(document: Mapping[str, Any]) -> Graph:
     radius = document.get("radius_mm", document.get("radius", []))
     try:
         return Graph(document["nodes"], document["edges"], np.array(radius, np.float64))
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         if isinstance(error, ModelError):
             raise
         raise ModelError(f"nodes, edges or radius are no arrays of numbers: {error}") from None
@@ -96,9 +96,9 @@ def _of_compas(data: Mapping[str, Any]) -> Graph:
             for end, about in (ends or {}).items():
                 # COMPAS 1 names both directions of an edge, one of them without attributes.
                 found.append((numbers[start], numbers[end], about or {}))
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        found.sort(key=lambda one: one[2].get("order", 0))
+        radius = [one[2].get("radius") for one in found]
+        known = np.array(radius, np.float64) if radius and None not in radius else np.empty(0)
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         raise ModelError(f"a node or an edge of it is none: {error}") from None
-    found.sort(key=lambda one: one[2].get("order", 0) if isinstance(one[2], dict) else 0)
-    radius = [one[2].get("radius") for one in found]
-    known = np.array(radius, np.float64) if radius and None not in radius else np.empty(0)
     return Graph(np.array(nodes), np.array([one[:2] for one in found]), known)

@@ -48,16 +48,13 @@ def read_struts(path: str | os.PathLike[str]) -> Graph:
     OSError
         It is not there.
     """
-    suffix = Path(path).suffix[1:].lower()
+    path = Path(path)
+    suffix = path.suffix[1:].lower()
     if suffix not in READ:
         known = ", ".join(name.upper() for name in READ)
         raise ModelError(f"{path}: struts come as one of {known}")
     with named(path):
-        found = (
-            beams.read_3mf(Path(path))
-            if suffix == "3mf"
-            else _READERS[suffix](Path(path).read_bytes())
-        )
+        found = beams.read_3mf(path) if suffix == "3mf" else _READERS[suffix](path.read_bytes())
         found = found.tidied()
         if not len(found):
             raise ModelError("it holds no struts: no lines, and no edges")

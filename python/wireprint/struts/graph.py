@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 
 #: Nodes nearer than this are one, mm: files have six digits or so.
 SAME_MM: Final = 1e-3
+#: No coordinate is as large, mm; and cells from there on, so that no number of one is negative.
+_FARTHEST_MM: Final = 1e9
+_MIDDLE: Final = 1 << 50
 
 
 def _none() -> Floats:
@@ -153,21 +157,43 @@ def _matrix(name: str, given: npt.ArrayLike, columns: int, kind: type) -> npt.ND
 
 
 def _welded(points: Floats) -> tuple[Ints, Floats]:
-    """Return the number of the node of each point, and the nodes, in the order of the points."""
+    """Return the number of the node of each point, and the nodes, in the order of the points.
+
+    Points in one cell of `SAME_MM` are one, and so are those of neighbouring cells that are near:
+    the work grows with the points, however many coincide.
+    """
     if not len(points):
         return np.empty(0, np.int64), points
-    from shapely import STRtree
-    from shapely import points as as_points
-
-    if not np.isfinite(points).all():
-        raise ModelError("a coordinate must be finite")
-    # In plan by a tree, then by height; the first point of a cluster stands for it.
-    tree = STRtree(as_points(points[:, :2]))
-    found = tree.query(as_points(points[:, :2]), predicate="dwithin", distance=SAME_MM)
-    near = np.abs(points[found[0], 2] - points[found[1], 2]) <= SAME_MM
-    first = np.arange(len(points))
-    np.minimum.at(first, found[0][near], found[1][near])
-    while not np.array_equal(first, first[first]):
-        first = first[first]
-    kept, numbers = np.unique(first, return_inverse=True)
+    if not (np.abs(points) < _FARTHEST_MM).all():
+        raise ModelError(f"a coordinate must be finite, and less than {_FARTHEST_MM:g} mm")
+    cells = np.floor(points / SAME_MM).astype(np.int64) + _MIDDLE
+    known, first, cell_of = np.unique(_keys(cells), return_index=True, return_inverse=True)
+    some = cells[first]
+    # Half of the cells around each: the other half finds it.
+    around = [step for step in itertools.product((-1, 0, 1), repeat=3) if step > (0, 0, 0)]
+    links = []
+    for step in around:
+        there = _keys(some + step)
+        at = np.minimum(np.searchsorted(known, there), len(known) - 1)
+        here = np.flatnonzero(known[at] == there)
+        apart = points[first[here]] - points[first[at[here]]]
+        near = here[np.linalg.norm(apart, axis=1) <= SAME_MM]
+        links.append(np.column_stack([near, at[near]]))
+    a, b = np.concatenate(links).T
+    # The first point of a cluster stands for it.
+    stands = first.copy()
+    while True:
+        before = stands.copy()
+        np.minimum.at(stands, a, stands[b])
+        np.minimum.at(stands, b, stands[a])
+        stands = stands[cell_of[stands]]
+        if np.array_equal(stands, before):
+            break
+    kept, numbers = np.unique(stands[cell_of], return_inverse=True)
     return numbers, points[kept]
+
+
+def _keys(cells: Ints) -> npt.NDArray[np.void]:
+    """Return cells as bytes that sort as their numbers do."""
+    wide = np.ascontiguousarray(cells.astype(">i8"))
+    return wide.view(np.dtype((np.void, wide.dtype.itemsize * 3))).reshape(-1)

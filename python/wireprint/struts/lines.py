@@ -71,6 +71,8 @@ def read_ply(text: bytes) -> Graph:
         rows = found.setdefault(name, [])
         for _ in range(count):
             number, words = next(body, (0, []))
+            if not words:
+                raise ModelError(f"it ends before its {count} of {name!r} do")
             if any(one.startswith("list ") for one in properties):
                 continue
             try:
@@ -82,6 +84,8 @@ def read_ply(text: bytes) -> Graph:
         edges = [[int(row["vertex1"]), int(row["vertex2"])] for row in found.get("edge", [])]
     except KeyError as error:
         raise ModelError(f"a vertex or an edge without {error.args[0]}") from None
+    except (ValueError, OverflowError) as error:
+        raise ModelError(f"the end of an edge is no number of a vertex: {error}") from None
     radius = [row["radius"] for row in found.get("edge", []) if "radius" in row]
     return Graph(np.array(nodes), np.array(edges), np.array(radius))
 

@@ -39,7 +39,7 @@ pub struct Shell {
 pub fn carve(body: &Shell, tools: &[Shell], limits: Limits) -> Result<Shell> {
     let refused = |text: &str| CoreError::Unreadable(text.into());
     let all = tools.iter().map(|tool| tool.faces.len()).sum::<usize>() + body.faces.len();
-    size::claim(all as u64)?;
+    size::claim_given(all as u64)?;
     let mut left = solid(body, limits)?;
     if left.status() != Error::NoError {
         return Err(refused("is not closed, so that nothing can be cut out of it; close it first"));

@@ -37,7 +37,7 @@ pub fn bodies(objects: &[Object], constellations: &[Constellation]) -> Result<Ve
     let faces = |&(index, _): &(usize, DAffine3)| -> u64 {
         objects[index].volumes.iter().map(|volume| volume.faces.len() as u64).sum()
     };
-    size::claim(placing.placed.iter().map(faces).sum())?;
+    size::claim_given(placing.placed.iter().map(faces).sum())?;
     Ok(laid_out(objects, &placing.placed))
 }
 

@@ -20,6 +20,7 @@ mod stitch;
 mod surface;
 pub mod topology;
 pub mod weld;
+mod winding;
 
 pub(crate) use components::labels as shells;
 pub use indexed::Mesh;

@@ -7,6 +7,7 @@ use super::components::Bodies;
 use super::holes::Rim;
 use super::surface::Surface;
 use super::topology::{self, NO_FACE};
+use super::winding;
 
 /// Makes neighbouring faces traverse their edge in opposite directions, as most of their body's
 /// faces have it; returns the number of bodies that have no two sides, like a Möbius strip.
@@ -81,18 +82,13 @@ pub fn outward(surface: &Surface, bodies: &Bodies, rims: &[Rim]) -> (Vec<bool>, 
     }
     let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by(|&a, &b| all[b].volume.abs().total_cmp(&all[a].volume.abs()).then(a.cmp(&b)));
-    let members = Members::new(bodies, rims, surface);
+    let holders = holders(surface, bodies, rims, &order);
     let mut cavities = 0;
-    for (rank, &c) in order.iter().enumerate() {
-        let around = order[..rank].iter().copied().filter(|&d| all[d].may_contain(&all[c]));
-        let around: Vec<usize> = around.collect();
-        let plain = all[c].volume >= 0.0 && !around.iter().any(|&d| reverse[d]);
-        if plain {
+    for c in order {
+        let around = &holders[c];
+        if all[c].volume >= 0.0 && !around.iter().any(|&d| reverse[d]) {
             continue;
         }
-        let [p, q, r] = surface.corners(all[c].first as usize);
-        let inside = |&d: &usize| members.winding(surface, d, (p + q + r) / 3.0).abs() > 0.5;
-        let around: Vec<usize> = around.into_iter().filter(inside).collect();
         let sign =
             |d: usize, reversed: bool| if (all[d].volume < 0.0) != reversed { -1 } else { 1 };
         let winding: i32 = around.iter().map(|&d| sign(d, reverse[d])).sum();
@@ -102,6 +98,27 @@ pub fn outward(surface: &Surface, bodies: &Bodies, rims: &[Rim]) -> (Vec<bool>, 
         cavities += usize::from(cavity);
     }
     (reverse, cavities)
+}
+
+/// For each body those of larger volume that it lies in, in the given order.
+fn holders(surface: &Surface, bodies: &Bodies, rims: &[Rim], order: &[usize]) -> Vec<Vec<usize>> {
+    let members = Members::new(bodies, rims, surface);
+    let mut holders = vec![Vec::new(); bodies.all.len()];
+    for (rank, &d) in order.iter().enumerate() {
+        let may_hold = |&c: &usize| bodies.all[d].may_contain(&bodies.all[c]);
+        let held: Vec<usize> = order[rank + 1..].iter().copied().filter(may_hold).collect();
+        let middle = |&c: &usize| {
+            let [p, q, r] = surface.corners(bodies.all[c].first as usize);
+            (p + q + r) / 3.0
+        };
+        let points: Vec<DVec3> = held.iter().map(middle).collect();
+        for (c, turns) in held.into_iter().zip(members.around(surface, d, &points)) {
+            if turns != 0 {
+                holders[c].push(d);
+            }
+        }
+    }
+    holders
 }
 
 /// The faces of each body and the fans that close it.
@@ -124,19 +141,12 @@ impl Members {
         Self { faces, fans }
     }
 
-    /// How often body `d` winds around the point.
-    ///
-    /// Solid angle of a triangle: Van Oosterom and Strackee, 1983.
-    fn winding(&self, surface: &Surface, d: usize, point: DVec3) -> f64 {
-        let angle = |corners: [DVec3; 3]| {
-            let [a, b, c] = corners.map(|p| p - point);
-            let (la, lb, lc) = (a.length(), b.length(), c.length());
-            let along = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-            2.0 * a.dot(b.cross(c)).atan2(along)
-        };
-        let faces: Vec<f64> =
-            self.faces[d].par_iter().map(|&f| angle(surface.corners(f as usize))).collect();
-        let rims = self.fans[d].iter().map(|&corners| angle(corners));
-        faces.into_iter().chain(rims).sum::<f64>() / (4.0 * std::f64::consts::PI)
+    /// How often body `d` winds around each point.
+    fn around(&self, surface: &Surface, d: usize, points: &[DVec3]) -> Vec<i32> {
+        if points.is_empty() {
+            return Vec::new();
+        }
+        let faces = self.faces[d].par_iter().map(|&f| surface.corners(f as usize));
+        winding::around(points, faces.chain(self.fans[d].par_iter().copied()))
     }
 }

@@ -26,14 +26,14 @@ impl Mesh {
     /// Welds, repairs and places a mesh given as vertices and faces.
     ///
     /// # Errors
-    /// As [`size::claim`], [`weld::weld_facets`] and [`prepare`].
+    /// As [`size::claim_given`], [`weld::weld_facets`] and [`prepare`].
     pub fn from_facets(
         vertices: &[DVec3],
         faces: &[[u32; 3]],
         limits: Limits,
         placement: &Placement,
     ) -> Result<(Self, RepairReport)> {
-        size::claim(faces.len() as u64)?;
+        size::claim_given(faces.len() as u64)?;
         let (vertices, faces) = weld::weld_facets(vertices, faces)?;
         prepare(vertices, faces, limits, placement)
     }

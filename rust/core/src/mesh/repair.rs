@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::components::{Bodies, Body};
 use super::indexed::Mesh;
 use super::surface::Surface;
-use super::{duplicates, holes, orient, slivers, stitch};
+use super::{duplicates, holes, orient, size, slivers, stitch};
 use crate::{CoreError, Result};
 
 /// Share of open edges from which on the facets make no surface.
@@ -106,7 +106,8 @@ impl RepairReport {
 ///
 /// # Errors
 /// [`CoreError::Setting`] for limits out of their bounds, [`CoreError::NoContour`] where nothing
-/// is left or the facets do not hang together.
+/// is left or the facets do not hang together, [`CoreError::Memory`] where there is no memory for
+/// all its open edges.
 pub fn repair(
     vertices: Vec<DVec3>,
     mut faces: Vec<[u32; 3]>,
@@ -124,6 +125,7 @@ pub fn repair(
     }
     let mut surface = Surface::new(vertices, faces);
     report.dropped_duplicate = duplicates::drop_duplicates(&mut surface);
+    size::claim_open(surface.faces.len() as u64, surface.boundary as u64)?;
     let distance = limits.weld_distance * surface.diagonal();
     report.welded_vertices = stitch::stitch(&mut surface, distance);
     report.one_sided = orient::make_consistent(&mut surface);
