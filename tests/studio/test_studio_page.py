@@ -7,26 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from studio_page import Window, browser_or_skip, drag, exported, on_canvas, settled, until
+from studio_page import Window, drag, exported, on_canvas, settled, until
 
 from command import run
 from wireprint import examples
 
-playwright = pytest.importorskip("playwright.sync_api")
-
 ROOT = Path(__file__).parents[2]
 FRONT = -14.0
-
-
-@pytest.fixture(scope="module")
-def browser():
-    path = browser_or_skip()
-    from studio_page import FLAGS
-
-    with playwright.sync_playwright() as player:
-        launched = player.chromium.launch(executable_path=path, args=list(FLAGS))
-        yield launched
-        launched.close()
 
 
 @pytest.fixture(scope="module")

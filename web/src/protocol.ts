@@ -76,12 +76,20 @@ export interface Figures {
   warnings?: string[];
 }
 
+/** A run of a mark that stays wire. */
+export interface Dropped {
+  reason: string;
+  help: string;
+  area_mm2: number;
+  place_mm: Point;
+}
+
 export interface Print {
   figures: Figures;
   regions: null | {
     area_mm2: number;
     filled_mm3: number;
-    dropped: { reason: string; help: string; area_mm2: number; place_mm: Point }[];
+    dropped: Dropped[];
     hollow: { reason: string; help: string; volume_mm3: number; low_mm: number; high_mm: number }[];
   };
   refused: string;

@@ -23,7 +23,7 @@ function bounds({ low, high, unit }: Field): string {
 
 /** "None" is how Python says that a field is left to itself; people read "auto". */
 function help(field: Field): string {
-  return field.help.replace(/\bNone\b/g, "auto");
+  return field.help.replace(/\bNone( or auto)?\b/g, "auto");
 }
 
 function Control({ field, value, studio }: { field: Field; value: Value; studio: Studio }): JSX.Element {

@@ -1,6 +1,6 @@
 // What the page shows, as signals: components follow them, the scene is told in studio.ts.
 import { computed, signal } from "@preact/signals";
-import type { Field, Forecast, Model, Point, Print, Sent, State, Welcome } from "./protocol";
+import type { Dropped, Field, Forecast, Model, Point, Print, Sent, State, Welcome } from "./protocol";
 import type { Mode } from "./strands";
 
 export type Tool = "turn" | "fill" | "erase";
@@ -71,6 +71,9 @@ export const outOfDate = computed(
   () => state.value !== null && printed.value !== state.value.revision && failure.value === "",
 );
 
+/** A run of less than this, mm², is one of many where a mark's edge meets a slab. */
+const HARDLY_SEEN_MM2 = 2;
+
 const REASONS: Record<string, string> = {
   not_covered: "no strand is near",
   mid_air: "would begin in mid-air",
@@ -91,11 +94,28 @@ function reason(name: string): string {
   return REASONS[name] ?? name.replaceAll("_", " ");
 }
 
+/** Runs that stay wire, of which those that are hardly seen are one by their reason, at the largest of them. */
+function gathered(runs: Dropped[]): (Dropped & { count: number })[] {
+  const found: (Dropped & { count: number })[] = [];
+  const bits = new Map<string, Dropped & { count: number; largest: number }>();
+  for (const run of runs) {
+    const bit = bits.get(run.reason);
+    if (run.area_mm2 >= HARDLY_SEEN_MM2) found.push({ ...run, count: 1 });
+    else if (!bit) bits.set(run.reason, { ...run, count: 1, largest: run.area_mm2 });
+    else {
+      bit.count++;
+      bit.area_mm2 += run.area_mm2;
+      if (run.area_mm2 > bit.largest) [bit.largest, bit.place_mm] = [run.area_mm2, run.place_mm];
+    }
+  }
+  return [...found, ...bits.values()];
+}
+
 /** All that is wrong or missing, in the order in which one flies through it. */
 export const spots = computed<Spot[]>(() => {
   const found = print.value;
   if (!found) return [];
-  const area = (mm2: number) => (mm2 >= 100 ? `${(mm2 / 100).toFixed(1)} cm²` : `${mm2.toFixed(0)} mm²`);
+  const area = (mm2: number) => (mm2 >= 100 ? `${(mm2 / 100).toFixed(1)} cm²` : `${mm2 < 1 ? "under 1" : mm2.toFixed(0)} mm²`);
   return [
     ...found.breaches.map(
       ({ rule, words, at_mm }): Spot => ({ kind: "breach", words: `${rule.replaceAll("_", " ")}: ${words}`, help: "", at_mm }),
@@ -108,10 +128,10 @@ export const spots = computed<Spot[]>(() => {
         at_mm: part.place_mm,
       }),
     ),
-    ...(found.regions?.dropped ?? []).map(
-      (run): Spot => ({
+    ...gathered(found.regions?.dropped ?? []).map(
+      ({ count, ...run }): Spot => ({
         kind: "dropped",
-        words: `${area(run.area_mm2)} stay wire: ${reason(run.reason)}`,
+        words: `${count > 1 ? `${count} bits, ` : ""}${area(run.area_mm2)} stay wire: ${reason(run.reason)}`,
         help: run.help,
         at_mm: run.place_mm,
       }),

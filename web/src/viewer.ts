@@ -227,7 +227,8 @@ export class Viewer {
     this.ends.push(() => darkQuery.removeEventListener("change", recolour));
     this.follows(() => {
       // A forecast that comes changes what colours tell.
-      if (store.print.value || store.forecast.value) store.range.value = view.strands.colourBy(store.mode.value);
+      const { value: print } = store.print;
+      if (store.forecast.value ?? print) store.range.value = view.strands.colourBy(store.mode.value);
       view.redraw();
     });
     this.follows(() => {

@@ -111,6 +111,8 @@ def _mended(route: Route, ground: _Ground) -> tuple[Route, int]:
     loose |= ~ground.holds(route.points[ends - 1, :2], lines, barely=True)
     if not loose.any():
         return route, 0
+    aloft = np.flatnonzero(loose)
+    left = ground.mended([route.points[begins[n] : ends[n]] for n in aloft], aloft)
     pieces: list[tuple[Floats, int]] = []
     layers: list[Ints] = []
     late: list[tuple[Floats, int]] = []
@@ -118,7 +120,7 @@ def _mended(route: Route, ground: _Ground) -> tuple[Route, int]:
     for line in lines:
         points, layer = route.points[begins[line] : ends[line]], ground.layer[line]
         group = int(route.group[line])
-        parts = ground.mended(points, int(line)) if loose[line] else [points]
+        parts = left[int(line)] if loose[line] else [points]
         if parts is None:
             late.append((points, group))
             waiting += 1
@@ -167,17 +169,29 @@ class _Ground:
         held[self.rims.near(points, layer - 1, rim)[0]] = True
         return held
 
-    def mended(self, points: Floats, line: int) -> list[Floats] | None:
-        """Return what is left of a line, in parts that begin on something.
+    def mended(self, lines: list[Floats], numbers: Ints) -> dict[int, list[Floats] | None]:
+        """Return what is left of lines, by their numbers, in parts that begin on something.
 
         None: nothing holds it yet, but the other lines of its layer may.
         """
-        string = shapely.LineString(points[:, :2])
-        count = int(string.length / (_STEP * self.strand_mm)) + 1
-        along = np.linspace(0.0, string.length, count + 1)
-        places = shapely.get_coordinates(shapely.line_interpolate_point(string, along))
-        lines = np.full(len(places), line)
-        held, met = self.holds(places, lines), self.holds(places, lines, barely=True)
+        strings = [shapely.LineString(points[:, :2]) for points in lines]
+        step_mm = _STEP * self.strand_mm
+        along = [np.linspace(0.0, s.length, int(s.length / step_mm) + 2) for s in strings]
+        sizes = np.array([len(each) for each in along])
+        at = shapely.line_interpolate_point(np.repeat(strings, sizes), np.concatenate(along))
+        places, line = shapely.get_coordinates(at), np.repeat(numbers, sizes)
+        held, met = self.holds(places, line), self.holds(places, line, barely=True)
+        cuts = np.cumsum(sizes)[:-1]
+        each = zip(along, *(np.split(all_, cuts) for all_ in (places, held, met)), strict=True)
+        return {
+            number: self._held(points, number, *found)
+            for points, number, found in zip(lines, numbers.tolist(), each, strict=True)
+        }
+
+    def _held(
+        self, points: Floats, line: int, along: Floats, places: Floats, held: Bools, met: Bools
+    ) -> list[Floats] | None:
+        """Return what is left of a line of which it is known where it is held, and barely so."""
         if not held.any():
             held = met
         if not held.any():
