@@ -47,7 +47,26 @@ def top():
     return Solid(0, "top", (lathed(*outline), block(10.0, 10.0, 8.0)))
 
 
-NAMED = {"bored 8": bored(8), "bored 24": bored(24), "shelf": shelf(), "top": top()}
+def lidded():
+    """A cup with a lid of its own, flush with its rim and thinner than a strand."""
+    cup = Body().add(disc(60), 0, 24).cut(disc(48), 5, 24)
+    return Part(0, "lidded", (cup, Body().add(disc(60), 24, 24.6)), 0, 0.0)
+
+
+def floored():
+    """A tube on a floor of its own, flush with its rim and thinner than a strand."""
+    tube = Body().add(disc(60), 0.6, 24).cut(disc(48), 0.6, 24)
+    return Part(0, "floored", (Body().add(disc(60), 0, 0.6), tube), 0, 0.0)
+
+
+NAMED = {
+    "lidded": lidded(),
+    "floored": floored(),
+    "bored 8": bored(8),
+    "bored 24": bored(24),
+    "shelf": shelf(),
+    "top": top(),
+}
 
 
 @pytest.fixture(scope="module")

@@ -45,6 +45,7 @@ def mended(
     settings: Settings,
     standing: Standing | None = None,
     at_mm: Point = (0.0, 0.0, 0.0),
+    rounds: int = ROUNDS,
 ) -> Wireframe | None:
     """Leave out of a print the strands that break the rules, and what would hang on them.
 
@@ -58,6 +59,8 @@ def mended(
         What it was made with.
     standing, at_mm
         What stands already, and where the print does; see `wireprint.check`.
+    rounds
+        Most prints that are tried.
 
     Returns
     -------
@@ -66,7 +69,7 @@ def mended(
         where none was found in so many rounds, it breaks them throughout, or other rules are
         broken, too.
     """
-    for number in range(ROUNDS):
+    for number in range(rounds):
         if any(found for name, found in certificate.breaches().items() if name not in _MENDED):
             return None
         dropped = _blamed(strands, certificate, origin_mm(settings, at_mm))

@@ -12,10 +12,11 @@ from wireprint._core import KINDS
 from wireprint.certificate import check
 from wireprint.gcode import file
 from wireprint.hybrid.plan import Plan
+from wireprint.mending import mended
 from wireprint.stages import toolpath, wireframe
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     import numpy.typing as npt
 
@@ -27,8 +28,14 @@ if TYPE_CHECKING:
     from wireprint.settings import Settings
 
 _LAYERS: Final = (KINDS.index("layer-wise"), KINDS.index("layer-fill"))
+#: Kinds that hold the wire up.
+_STANDING: Final = tuple(map(KINDS.index, ("post", "diagonal", "support")))
 #: Most prints that are tried; then all stays wire.
 _ROUNDS: Final = 8
+#: Lines of layers are mended where breaches are in at most so many prints, one after the other, …
+_MENDINGS: Final = 24
+#: … and what is left out of them is at most this part of what dropping runs would cost.
+_CHEAPER: Final = 0.25
 #: Breaches of a rule → why a run is not printed as layers. What breaks others, no run does.
 _REASONS: Final = {
     "collisions": "in_the_way",
@@ -75,6 +82,8 @@ class Proved:
     #: The file, and the verdict on it.
     written: Written
     verdict: Certificate
+    #: Length of the pieces of lines that it does without, mm.
+    trimmed_mm: float = 0.0
 
     @property
     def runs(self) -> dict[str, npt.NDArray[Any]]:
@@ -96,8 +105,7 @@ class Proved:
     @property
     def layer_wise_mm(self) -> float:
         """Length of all strands of layers, mm."""
-        own = self.wireframe.strands[np.isin(self.wireframe.strand_kinds, _LAYERS)]
-        return float(np.sum(np.linalg.norm(own[:, 1] - own[:, 0], axis=1)))
+        return _layers_mm(self.wireframe)
 
 
 def proved(
@@ -121,9 +129,10 @@ def proved(
 
     Notes
     -----
-    Each print is judged as `check` judges a file. A breach within the fill behind walls leaves its
-    slab hollow; any other is put down to the run that is nearest to it, which is dropped; after so
-    many rounds, all are.
+    Each print is judged as `check` judges a file. Where pieces of layers' lines break the rules, it
+    does without them if they are few. Else a breach within the fill behind walls leaves its slab
+    hollow; any other is put down to the run that is nearest to it, which is dropped; after so many
+    rounds, all are.
     """
     mesh, settings = sketch.mesh, sketch.settings
     write = write or partial(file.write, settings=settings)
@@ -143,12 +152,50 @@ def proved(
         blamed, hollow = _blamed(plan, verdict, settings)
         if not (blamed or hollow):
             return Proved(plan, strands, path, rounds, written, verdict)
+        left = _trimmed(plan, strands, verdict, blamed)
+        if left is not None:
+            lost_mm = _length_mm(strands.strands) - _length_mm(left.strands)
+            path = toolpath(left, settings)
+            written = write(path)
+            verdict = check(written.text, settings)
+            return Proved(plan, left, path, rounds, written, verdict, lost_mm)
         if rounds == _ROUNDS:
             blamed = dict.fromkeys(range(len(plan.sections)), "unproved") | blamed
         plan = plan.without(blamed, hollow)
     path = toolpath(sketch.plain, settings)
     written = write(path)
     return Proved(plan, sketch.plain, path, rounds, written, check(written.text, settings))
+
+
+def _trimmed(
+    plan: Plan, strands: Wireframe, verdict: Certificate, blamed: Mapping[int, str]
+) -> Wireframe | None:
+    """Leave out of a print the pieces of layers' lines that break the rules.
+
+    None where that does not help, costs posts or diagonals of the wire, or much of what dropping
+    the runs that are to blame would cost.
+    """
+    left = mended(strands, verdict, plan.settings, rounds=_MENDINGS)
+    if left is None or not np.array_equal(_standing(strands), _standing(left)):
+        return None
+    lost_mm = _length_mm(strands.strands) - _length_mm(left.strands)
+    area_mm2 = np.array([run.area_mm2 for run in plan.sections])
+    blamed_mm2 = float(area_mm2[list(blamed)].sum())
+    at_stake = blamed_mm2 / max(float(area_mm2.sum()), 1e-9) if blamed else 1.0
+    return left if lost_mm <= _CHEAPER * at_stake * _layers_mm(strands) else None
+
+
+def _standing(strands: Wireframe) -> npt.NDArray[np.int64]:
+    """Return how many strands there are of each kind that holds the wire up."""
+    return np.bincount(strands.strand_kinds, minlength=len(KINDS))[list(_STANDING)]
+
+
+def _layers_mm(strands: Wireframe) -> float:
+    return _length_mm(strands.strands[np.isin(strands.strand_kinds, _LAYERS)])
+
+
+def _length_mm(ends: npt.NDArray[np.float64]) -> float:
+    return float(np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
 
 
 def _blamed(

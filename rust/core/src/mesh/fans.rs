@@ -5,6 +5,8 @@
 //! with the upward face that closes its wedge of solid: bodies that touch along the edge stay
 //! apart, and every contour through it stays closed.
 
+use std::f64::consts::TAU;
+
 use glam::DVec3;
 
 use super::topology::ends;
@@ -39,8 +41,14 @@ pub fn pair(
     paired
 }
 
+/// Faces that lie upon each other differ by rounding, rad: far less than walls ever do.
+const SAME_ANGLE: f64 = 1e-5;
+
 /// The half-edges by angle around the edge, upward ones first at equal angles, each with
 /// whether it runs from the edge's lower-numbered vertex to the higher one.
+///
+/// Angles count from the first face, so that none of the faces that lie upon it is taken for one a
+/// whole turn away.
 fn by_angle(vertices: &[DVec3], faces: &[[u32; 3]], fan: &[u32]) -> Vec<(u32, bool)> {
     let point = |v: u32| vertices[v as usize];
     let (a, b) = ends(faces, fan[0]);
@@ -54,10 +62,14 @@ fn by_angle(vertices: &[DVec3], faces: &[[u32; 3]], fan: &[u32]) -> Vec<(u32, bo
         let arm = point(apex) - low;
         arm.dot(y).atan2(arm.dot(x))
     };
-    let mut sorted: Vec<(f64, bool, u32)> =
-        fan.iter().map(|&h| (angle(h), ends(faces, h).0 > ends(faces, h).1, h)).collect();
-    sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-    sorted.into_iter().map(|(_, down, h)| (h, !down)).collect()
+    let first = angle(fan[0]) - SAME_ANGLE;
+    let is_down = |h: u32| ends(faces, h).0 > ends(faces, h).1;
+    let mut sorted: Vec<(f64, u32)> =
+        fan.iter().map(|&h| ((angle(h) - first).rem_euclid(TAU), h)).collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let groups = sorted.chunk_by_mut(|a, b| b.0 - a.0 < SAME_ANGLE);
+    groups.for_each(|group| group.sort_by_key(|&(_, h)| (is_down(h), h)));
+    sorted.into_iter().map(|(_, h)| (h, !is_down(h))).collect()
 }
 
 /// Pairs of half-edges, and how many are left: downward faces open a wedge, upward ones close

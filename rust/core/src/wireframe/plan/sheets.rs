@@ -4,6 +4,9 @@ use glam::DVec2;
 
 use crate::contours::Contour;
 use crate::geometry::curve::Curve;
+use crate::geometry::polygon;
+use crate::mesh::{Mesh, shells};
+use crate::slices::heights::Level;
 use crate::wireframe::plan::outline::Outline;
 
 /// What sticks out over less than this many strands of a contour's length is not worth a sheet.
@@ -33,4 +36,44 @@ pub fn is_lost_between(
         }
     }
     false
+}
+
+/// How high the bodies of a mesh reach.
+pub struct Bodies {
+    /// The body of each face.
+    of: Vec<u32>,
+    /// Lowest and highest point of each, mm.
+    extents: Vec<(f64, f64)>,
+}
+
+impl Bodies {
+    /// Finds the bodies; none where no level holds a slice that could be theirs alone.
+    #[must_use]
+    pub fn new(mesh: &Mesh, levels: &[Level]) -> Self {
+        if levels.iter().all(|level| level.between.is_empty()) {
+            return Self { of: Vec::new(), extents: Vec::new() };
+        }
+        let (of, count) = shells(&mesh.neighbours);
+        let mut extents = vec![(f64::INFINITY, f64::NEG_INFINITY); count];
+        for (face, &body) in of.iter().enumerate() {
+            let (low, high) = &mut extents[body as usize];
+            for corner in mesh.corners(face) {
+                (*low, *high) = (low.min(corner.z), high.max(corner.z));
+            }
+        }
+        Self { of, extents }
+    }
+
+    /// Whether a slice shows a body that begins and ends between two heights, mm: a lid as a body of
+    /// its own, say, flush with what it lies on. Whatever the slices at these heights have, they have
+    /// nothing of it.
+    #[must_use]
+    pub fn is_one_within(&self, contours: &[Contour], low: f64, high: f64, strand: f64) -> bool {
+        let is_within = |face: &u32| {
+            let body = self.of.get(*face as usize).map(|&body| self.extents[body as usize]);
+            body.is_some_and(|(begin, end)| low <= begin && end <= high)
+        };
+        let is_long = |c: &Contour| polygon::length(&c.points, c.closed) > LEAST * strand;
+        contours.iter().any(|c| is_long(c) && c.faces.iter().any(is_within))
+    }
 }

@@ -13,7 +13,7 @@ use crate::mesh::Mesh;
 use crate::slices::heights::{HeightParams, Level, choose_levels};
 use crate::slices::{Plane, Side};
 use crate::stroke::Strokes;
-use crate::wireframe::plan::sheets::is_lost_between;
+use crate::wireframe::plan::sheets::{Bodies, is_lost_between};
 use crate::wireframe::plan::strips::{Slab, Strip, all_ledges, all_strips};
 
 /// A model cut into slabs.
@@ -107,7 +107,8 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
             upper: &lower[k],
         })
         .collect();
-    let stacks = stacks(&levels, [&lower, &upper], &between, params.strand);
+    let bodies = Bodies::new(mesh, &levels);
+    let stacks = stacks(&levels, [&lower, &upper], &between, &bodies, params.strand);
     let ranges: Vec<Slab> = stacks.iter().flatten().flat_map(|s| s.slabs()).collect();
     let (strips, found) = rayon::join(|| all_strips(mesh, &slabs), || all_ledges(mesh, &ranges));
     let mut found = found.into_iter();
@@ -152,6 +153,7 @@ fn stacks<'a>(
     levels: &[Level],
     [lower, upper]: [&'a [Vec<Contour>]; 2],
     between: &'a [Vec<Contour>],
+    bodies: &Bodies,
     strand: f64,
 ) -> Vec<Option<Stack<'a>>> {
     let mut between = between.iter();
@@ -171,7 +173,9 @@ fn stacks<'a>(
         for (i, &(z, contours)) in own.iter().enumerate() {
             let last = kept.last().map_or(below.1, |last| last.1);
             let next = own.get(i + 1).map_or(above.1, |next| next.1);
-            if is_lost_between(contours, last, next, strand) {
+            let is_lost = bodies.is_one_within(contours, below.0, above.0, strand)
+                || is_lost_between(contours, last, next, strand);
+            if is_lost {
                 kept.push((z, contours));
             }
         }
