@@ -17,8 +17,6 @@ import numpy as np
 
 import shared_models
 from wireprint.bench.plan import Placement, plan
-from wireprint.certificate import check
-from wireprint.gcode import document
 from wireprint.hybrid.prove import proved
 from wireprint.hybrid.sketch import Sketch
 from wireprint.mesh import load_mesh
@@ -80,11 +78,8 @@ def found(sketch, seed, model):
     marked_mm2 = sum(run.area_mm2 for run in made.plan.sections) + sum(dropped.values())
     if marked_mm2 < LEAST_MM2:
         return None
-    settings = sketch.settings
-    text = document.body(made.toolpath, settings, document.dated(None))
-    certified = check(text, settings).ok
-    lines = made.layer_wise_mm, made.trimmed_mm
-    return Found(seed, model, mark, marked_mm2, dropped, *lines, made.rounds, certified, seconds)
+    lines, verdict = (made.layer_wise_mm, made.trimmed_mm), made.verdict.ok
+    return Found(seed, model, mark, marked_mm2, dropped, *lines, made.rounds, verdict, seconds)
 
 
 def sketches(seeds, settings, only):

@@ -6,8 +6,6 @@ import trimesh
 
 import random_marks
 from wireprint._core import Mesh
-from wireprint.certificate import check
-from wireprint.gcode import document
 from wireprint.hybrid.prove import proved
 from wireprint.hybrid.sketch import Sketch
 from wireprint.settings import Settings
@@ -38,7 +36,7 @@ def test_marks_are_layers_but_for_little(solid, machine):
     shares = []
     for seed in SEEDS:
         found = proved(sketch, random_marks.mark(sketch.mesh, seed).region)
-        assert check(document.body(found.toolpath, settings, document.dated(None)), settings).ok
+        assert found.verdict.ok
         assert found.rounds <= 2
         lost = sum(run.area_mm2 for run, _ in found.plan.runs.dropped)
         marked = lost + sum(run.area_mm2 for run in found.plan.sections)

@@ -25,8 +25,10 @@ if TYPE_CHECKING:
     Ints = npt.NDArray[np.int64]
     Bools = npt.NDArray[np.bool_]
 
-#: From strand to strand, and to the rim, as a part of the farthest that still touches.
+#: From strand to strand, as a part of the farthest that still touches.
 _TOUCH = 0.9
+#: From a rim of wire, which may stray by half its diameter, to the first, as a part of a strand.
+_TOUCH_RIM = 0.4
 #: Most strands beside each other.
 _MOST = 16
 #: Strands nearer to a wall than this part of their distance from each other are left to it.
@@ -57,12 +59,16 @@ def aprons(
     layers = 1 + np.flatnonzero(~shapely.is_empty(outer[1:]) & (step_mm[1:] > 0))
     below, step = areas[layers - 1], step_mm[layers]
     # Below lie the walls of the last layer, and at a slab's foot the rims of the wire.
-    rims = np.where(cut.is_last()[layers - 1], shapely.boundary(below), outer[layers - 1])
-    rims = shapely.union(rims, outer[layers - 1])
-    unsure = _leaves(outer[layers], rims, step)
-    layers, step = layers[unsure], step[unsure]
-    below, rims = below[unsure], rims[unsure]
-    loose = shapely.difference(outer[layers], buffered(rims, step))
+    on_wire = cut.is_last()[layers - 1]
+    first = np.where(on_wire, np.minimum(_TOUCH_RIM * recipe.width_mm, step), step)
+    walled = outer[layers - 1]
+    rims = np.where(on_wire, shapely.boundary(below), walled)
+    unsure = _leaves(outer[layers], shapely.union(rims, walled), first)
+    layers, first, step = layers[unsure], first[unsure], step[unsure]
+    below, rims, walled = below[unsure], rims[unsure], walled[unsure]
+    reached = shapely.union(buffered(rims, first), buffered(walled, step))
+    loose = shapely.difference(outer[layers], reached)
+    rims = shapely.union(rims, walled)
     # Walls that close in find the fill of the layer below under them, where there is one.
     closing = shapely.intersection(loose, below)
     inner = np.where(shapely.is_empty(closing), closing, walls[layers - 1])
@@ -70,7 +76,8 @@ def aprons(
     loose = shapely.union(shapely.difference(loose, below), shapely.difference(closing, inner))
     near = shapely.distance(loose, rims) < _MOST * step
     wanted = near & (shapely.length(loose) > _SHORTEST * recipe.width_mm)
-    layers, below, loose, rims, step = (each[wanted] for each in (layers, below, loose, rims, step))
+    layers, below, loose, rims = (each[wanted] for each in (layers, below, loose, rims))
+    first, step = first[wanted], step[wanted]
     if not len(layers):
         return []
     between = shapely.symmetric_difference(areas[layers], below)
@@ -81,7 +88,8 @@ def aprons(
     room = shapely.difference(room, buffered(walls[layers], _DOUBLE * step))
     groups = []
     for number in range(1, _MOST + 1):
-        sides = [shapely.boundary(buffered(below, way * number * step)) for way in (1, -1)]
+        aside = first + (number - 1) * step
+        sides = [shapely.boundary(buffered(below, way * aside)) for way in (1, -1)]
         strings = shapely.intersection(shapely.union(*sides), room)
         if shapely.is_empty(strings).all():
             break
