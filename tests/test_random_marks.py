@@ -37,7 +37,7 @@ def test_marks_are_layers_but_for_little(solid, machine):
     for seed in SEEDS:
         found = proved(sketch, random_marks.mark(sketch.mesh, seed).region)
         assert found.verdict.ok
-        assert found.rounds <= 2
+        assert found.rounds <= 3
         lost = sum(run.area_mm2 for run, _ in found.plan.runs.dropped)
         marked = lost + sum(run.area_mm2 for run in found.plan.sections)
         # Pieces of lines that it does without are a hair of them.

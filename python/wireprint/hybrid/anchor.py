@@ -72,7 +72,7 @@ class Touchable:
         )
 
 
-def anchored(route: Route, touchable: Touchable) -> Route:
+def anchored(route: Route, touchable: Touchable, loose: tuple[Floats, Ints]) -> Route:
     """Mend each line that begins or ends in the air: the head leaves its end at once.
 
     Parameters
@@ -81,6 +81,8 @@ def anchored(route: Route, touchable: Touchable) -> Route:
         Lines in printing order.
     touchable
         What they may begin on besides each other.
+    loose
+        Places where nothing holds a line, whatever seems to, shape (P, 2), mm, and their layers.
 
     Returns
     -------
@@ -93,8 +95,9 @@ def anchored(route: Route, touchable: Touchable) -> Route:
         return route
     # What is cut off may have held what is printed later.
     waits, waiting = True, len(route.offsets)
+    places = _Layers(np.stack([loose[0], loose[0]], axis=1), loose[1])
     for _ in range(_PASSES):
-        mended, late = _mended(route, _Ground(route, touchable, waits=waits))
+        mended, late = _mended(route, _Ground(route, touchable, places, waits=waits))
         if mended is route:
             break
         # Where the order helps no more, what nothing holds is done without.
@@ -142,7 +145,7 @@ def _mended(route: Route, ground: _Ground) -> tuple[Route, int]:
 class _Ground:
     """What is there before each line is printed, and what will be."""
 
-    def __init__(self, route: Route, touchable: Touchable, *, waits: bool) -> None:
+    def __init__(self, route: Route, touchable: Touchable, loose: _Layers, *, waits: bool) -> None:
         #: Whether what nothing holds waits for the rest of its layer.
         self.waits = waits
         self.layer = route.layer[route.offsets[:-1]]
@@ -153,6 +156,7 @@ class _Ground:
         ends = np.stack([route.points[own, :2], route.points[own + 1, :2]], axis=1)
         self.lines = _Layers(ends, self.layer[line[own]])
         self.contours, self.rims = touchable.contours, touchable.rims
+        self.loose = loose
 
     def holds(self, points: Floats, line: Ints, *, barely: bool = False) -> Bools:
         """Tell which points lie on what is there before the lines of these numbers.
@@ -167,6 +171,7 @@ class _Ground:
         held[asked[self.order[found] < line[asked]]] = True
         rim = touch if barely else min(_TOUCH_RIM * self.strand_mm, touch)
         held[self.rims.near(points, layer - 1, rim)[0]] = True
+        held[self.loose.near(points, layer, self.strand_mm)[0]] = False
         return held
 
     def mended(self, lines: list[Floats], numbers: Ints) -> dict[int, list[Floats] | None]:

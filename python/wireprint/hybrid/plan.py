@@ -62,6 +62,8 @@ class Plan:
     inside: Geometries
     #: Slabs in which the inside stays hollow, and why.
     hollow: Mapping[int, str] = field(default_factory=dict)
+    #: Places where lines turned out to begin or end in the air, shape (P, 3), mm.
+    loose: npt.NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 3)))
 
     @classmethod
     def of(cls, sketch: Sketch, region: Region) -> Plan:
@@ -105,13 +107,22 @@ class Plan:
         """Return the plan without the runs of some numbers, and hollow in some slabs, and why."""
         return replace(self, runs=self.runs.without(numbers), hollow={**hollow, **self.hollow})
 
+    def avoiding(self, places_mm: npt.NDArray[np.float64]) -> Plan:
+        """Return the plan whose lines neither begin nor end near some places, shape (P, 3)."""
+        return replace(self, loose=np.concatenate([self.loose, places_mm]))
+
     @cached_property
     def laid(self) -> Laid:
         """All lines, each of which begins on something."""
         recipe = self.sketch.recipe
         inset_mm = self.settings.regions.inset * recipe.width_mm
         laid = lay(self.sketch, self.runs, self._behind(), inset_mm)
-        return replace(laid, route=anchored(laid.route, self.sketch.touchable))
+        loose = self.loose[:, :2], self._layer_at(self.loose[:, 2])
+        return replace(laid, route=anchored(laid.route, self.sketch.touchable, loose))
+
+    def _layer_at(self, z: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
+        """Return the layers at whose height some places lie, mm."""
+        return np.minimum(np.searchsorted(self.cut.z, z - _ROUNDING_MM), len(self.cut.z) - 1)
 
     def _behind(self) -> Inside:
         """Return what of the region lies behind the surface, and what wire leaves of it."""
@@ -126,9 +137,7 @@ class Plan:
 
     def filled_at(self, place_mm: npt.NDArray[np.float64]) -> int | None:
         """Return the slab in which fill behind walls lies at a place, if there is any."""
-        layer = min(
-            int(np.searchsorted(self.cut.z, place_mm[2] - _ROUNDING_MM)), len(self.cut.z) - 1
-        )
+        layer = int(self._layer_at(place_mm[2:])[0])
         place, reach_mm = shapely.Point(place_mm[:2]), _BESIDE * self.sketch.recipe.width_mm
         # Walls reach further inwards than that, and are no fill.
         filled = self.laid.depth.filled[layer], self.laid.within_walls(layer)

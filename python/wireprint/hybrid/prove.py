@@ -28,10 +28,12 @@ if TYPE_CHECKING:
     from wireprint.settings import Settings
 
 _LAYERS: Final = (KINDS.index("layer-wise"), KINDS.index("layer-fill"))
-#: Kinds that hold the wire up.
-_STANDING: Final = tuple(map(KINDS.index, ("post", "diagonal", "support")))
 #: Most prints that are tried; then all stays wire.
 _ROUNDS: Final = 8
+#: Breaches at ends that other places may hold.
+_LOOSE: Final = ("floating_starts", "dangling_ends", "hurried")
+#: An end is a line's if it lies this near to it, mm: G-code has thousandths, along each axis.
+_RESOLVED_MM: Final = 0.01
 #: Lines of layers are mended where breaches are in at most so many prints, one after the other, …
 _MENDINGS: Final = 24
 #: … and what is left out of them is at most this part of what dropping runs would cost.
@@ -130,17 +132,22 @@ def proved(
     Notes
     -----
     Each print is judged as `check` judges a file. Where pieces of layers' lines break the rules, it
-    does without them if they are few. Else a breach within the fill behind walls leaves its slab
-    hollow; any other is put down to the run that is nearest to it, which is dropped; after so many
-    rounds, all are.
+    does without them if they are few. Else lines look for other places to begin and end, once; if
+    that does not help, either, a breach within the fill behind walls leaves its slab hollow, and
+    any other is put down to the run that is nearest to it, which is dropped; after so many rounds,
+    all are.
     """
     mesh, settings = sketch.mesh, sketch.settings
     write = write or partial(file.write, settings=settings)
     on_step("marks")
     plan = Plan.of(sketch, region)
+    without: Plan | None = None
     for rounds in range(1, _ROUNDS + 1):
         on_step(f"layers, round {rounds}")
         layered = plan.layered()
+        if layered is None and without is not None:
+            plan, without = without, None
+            layered = plan.layered()
         if layered is None:
             break
         on_step(f"wire beside layers, round {rounds}")
@@ -159,9 +166,13 @@ def proved(
             written = write(path)
             verdict = check(written.text, settings)
             return Proved(plan, left, path, rounds, written, verdict, lost_mm)
+        loose = _loose(strands, verdict, settings)
+        if rounds == 1 and len(loose):
+            plan, without = plan.avoiding(loose), plan.without(blamed, hollow)
+            continue
         if rounds == _ROUNDS:
             blamed = dict.fromkeys(range(len(plan.sections)), "unproved") | blamed
-        plan = plan.without(blamed, hollow)
+        plan, without = without or plan.without(blamed, hollow), None
     path = toolpath(sketch.plain, settings)
     written = write(path)
     return Proved(plan, sketch.plain, path, rounds, written, check(written.text, settings))
@@ -170,13 +181,12 @@ def proved(
 def _trimmed(
     plan: Plan, strands: Wireframe, verdict: Certificate, blamed: Mapping[int, str]
 ) -> Wireframe | None:
-    """Leave out of a print the pieces of layers' lines that break the rules.
+    """Leave out of a print the strands that break the rules, mostly pieces of layers' lines.
 
-    None where that does not help, costs posts or diagonals of the wire, or much of what dropping
-    the runs that are to blame would cost.
+    None where that does not help, or costs much of what dropping the runs that are to blame would.
     """
     left = mended(strands, verdict, plan.settings, rounds=_MENDINGS)
-    if left is None or not np.array_equal(_standing(strands), _standing(left)):
+    if left is None:
         return None
     lost_mm = _length_mm(strands.strands) - _length_mm(left.strands)
     area_mm2 = np.array([run.area_mm2 for run in plan.sections])
@@ -185,9 +195,15 @@ def _trimmed(
     return left if lost_mm <= _CHEAPER * at_stake * _layers_mm(strands) else None
 
 
-def _standing(strands: Wireframe) -> npt.NDArray[np.int64]:
-    """Return how many strands there are of each kind that holds the wire up."""
-    return np.bincount(strands.strand_kinds, minlength=len(KINDS))[list(_STANDING)]
+def _loose(strands: Wireframe, verdict: Certificate, settings: Settings) -> npt.NDArray[np.float64]:
+    """Return where layers' lines begin or end in the air, shape (P, 3), mm."""
+    centre = np.array([*settings.printer.bed.centre_mm, 0.0])
+    ends = strands.strands[np.isin(strands.strand_kinds, _LAYERS)].reshape(-1, 3)
+    breaches = verdict.breaches()
+    places = np.array([_at(breach) - centre for name in _LOOSE for breach in breaches[name]])
+    places = places.reshape(-1, 3)
+    off = [np.min(np.sum((ends - place) ** 2, axis=1), initial=np.inf) for place in places]
+    return places[np.array(off) <= _RESOLVED_MM**2]
 
 
 def _layers_mm(strands: Wireframe) -> float:
