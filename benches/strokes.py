@@ -1,6 +1,9 @@
 """Measures the engine of the window: processor seconds from a stroke to its proven print.
 
-python benches/strokes.py [NAME…]
+python benches/strokes.py [--same DEEDS] [NAME…]
+
+With --same it compares instead: after each of so many strokes, erasures and undos, what is printed
+with what is kept must be what is printed without, byte for byte.
 
 A stroke of 12 points and 3 mm, each upon a print that is kept, and half of a model, from the middle
 of its height up. Needs the shared models.
@@ -79,20 +82,48 @@ def measured(mesh, settings):
     return statistics.median(strokes), cpu_s(Region().add(upper), 1), len(sketch.samples.middle)
 
 
+def differing(mesh, settings, deeds):
+    """Return how many of so many random deeds give another print than one that is made anew."""
+    rng = np.random.default_rng(deeds)
+    flank, sketch = Flank(mesh, rng), None
+    states, wrong = [Region()], 0
+    for _ in range(deeds):
+        deed = rng.choice(["stroke", "stroke", "erasure", "undo"])
+        if deed == "undo" and len(states) > 1:
+            states.pop()
+        else:
+            mark = flank.stroke()
+            last = states[-1]
+            states.append(last.erase(mark) if deed == "erasure" and last else last.add(mark))
+        kept = make(mesh, settings, states[-1], compare=False, partial=True, kept=sketch)
+        sketch = kept.sketch
+        anew = make(mesh, settings, states[-1], compare=False, partial=True)
+        wrong += kept.gcode != anew.gcode
+    return wrong
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*")
-    names = parser.parse_args().names
+    parser.add_argument("--same", type=int, default=0, metavar="DEEDS")
+    options = parser.parse_args()
+    names, deeds = options.names, options.same
     settings = Settings.load(overrides=[*shared_models.ROOMY, "gcode.thumbnails=[]"])
     folder = shared_models.SHARED / "models"
     with (folder / "manifest.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    print(f"{'model':24} {'samples':>8} {'stroke':>8} {'half':>8}")
+    if not deeds:
+        print(f"{'model':24} {'samples':>8} {'stroke':>8} {'half':>8}")
     for row in rows:
         if names and row["name"].rpartition(".")[0] not in names:
             continue
         height_mm = float(row["suggested_height_mm"])
         mesh = load_mesh(folder / row["name"], height_mm=height_mm, up=row["up_axis"])
+        if deeds:
+            print(
+                f"{row['name']:24} {differing(mesh, settings, deeds)} of {deeds} differ", flush=True
+            )
+            continue
         stroke_s, half_s, samples = measured(mesh, settings)
         print(f"{row['name']:24} {samples:8} {stroke_s:6.3f} s {half_s:6.2f} s", flush=True)
 

@@ -101,9 +101,18 @@ def anchored(route: Route, touchable: Touchable, loose: tuple[Floats, Ints]) -> 
         if mended is route:
             break
         # Where the order helps no more, what nothing holds is done without.
-        waits, waiting = waits and 0 < late < waiting, late
-        route = mended
+        still, waiting = waits and 0 < late < waiting, late
+        # A line that waits behind its layer already changes nothing, and nor would the next pass.
+        settled = still == waits and _same(mended, route)
+        waits, route = still, mended
+        if settled:
+            break
     return route
+
+
+def _same(one: Route, other: Route) -> bool:
+    """Tell whether two routes lay the same lines in the same order."""
+    return np.array_equal(one.offsets, other.offsets) and np.array_equal(one.points, other.points)
 
 
 def _mended(route: Route, ground: _Ground) -> tuple[Route, int]:
