@@ -1,11 +1,11 @@
 """Prints random mechanical parts, and tells how many are whole and certified, and what is wrong.
 
-python benches/parts.py [COUNT] [--solids] [--seed FIRST] [--printer NAME --material NAME]
-    [--kind KIND]
+python benches/parts.py [COUNT] [--solids | --fittings] [--seed FIRST]
+    [--printer NAME --material NAME] [--kind KIND]
 
-Parts are those of `tests/random_parts.py`, with --solids those of `tests/random_solids.py`, and the
-rules those of `tests/part_rules.py`; a seed is always the same part. --stl FOLDER writes the parts
-that fail, to look at.
+Parts are those of `tests/random_parts.py`, with --solids those of `tests/random_solids.py`, with
+--fittings those of `tests/random_fittings.py`, and the rules those of `tests/part_rules.py`; a seed
+is always the same part. --stl FOLDER writes the parts that fail, to look at.
 """
 
 import argparse
@@ -23,6 +23,7 @@ import shared_models
 sys.path.append(str(shared_models.REPOSITORY / "tests"))
 
 import part_rules
+import random_fittings
 import random_parts
 import random_solids
 
@@ -72,12 +73,14 @@ def main():
     parser.add_argument("--printer", default="kossel-mini")
     parser.add_argument("--material", default="abs")
     parser.add_argument("--solids", action="store_true", help="round, slanted and thin shapes")
+    parser.add_argument("--fittings", action="store_true", help="gears, clips, trays and the like")
     parser.add_argument("--kind", help="only parts of this kind")
     parser.add_argument("--stl", type=Path, help="folder for the parts that fail")
     parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
     seeds = range(options.seed, options.seed + options.count)
     of_seed = random_solids.solid if options.solids else random_parts.part
+    of_seed = random_fittings.fitting if options.fittings else of_seed
     if options.kind:
         seeds = [seed for seed in seeds if of_seed(seed).kind == options.kind]
     judge = partial(judged, f"{options.printer}/{options.material}", of_seed)
