@@ -4,6 +4,7 @@ import base64
 import math
 import re
 from datetime import UTC, datetime
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from wireprint._core import KINDS, GcodeError, SettingError, Toolpath
+from wireprint.choices import Flavor
 from wireprint.gcode import document, own_settings
 from wireprint.gcode.flavors import FLAVORS
 from wireprint.settings import Settings
@@ -96,6 +98,10 @@ def test_every_flavour_dwells_in_milliseconds_by_p_alone(flavor):
     text = commands(document.moves(path(**SMALL), settings_for(flavor)))
     dwells = [line for line in text if line.startswith("G4")]
     assert dwells == ["G4 P1000"]
+
+
+def test_every_flavour_that_can_be_chosen_is_spoken():
+    assert tuple(FLAVORS) == get_args(Flavor)
 
 
 @pytest.mark.parametrize("flavor", ["marlin", "repetier"])

@@ -31,6 +31,7 @@ _CODE = tuple(
     Path(__file__).parent / name
     for name in (
         "settings.py",
+        "choices.py",
         "_compose.py",
         "lineage.py",
         "nozzles.py",

@@ -22,6 +22,15 @@ from pydantic import (
     model_validator,
 )
 
+from wireprint.choices import (
+    CoolingMethod,
+    Flavor,
+    Pattern,
+    Placement,
+    Strategy,
+    Supports,
+    TypeWords,
+)
 from wireprint.cooling import cooling_s
 from wireprint.gcode import sequence
 
@@ -58,9 +67,6 @@ Thumbnail = tuple[Pixels, Pixels] | tuple[Pixels, Pixels, Literal["PNG", "QOI"]]
 SpeedPerAxis = Annotated[tuple[Speed, Speed, Speed, Speed], Field(description="X, Y, Z, E")]
 AccelPerAxis = Annotated[tuple[Accel, Accel, Accel, Accel], Field(description="X, Y, Z, E")]
 StepsPerAxis = tuple[StepsPerMm, StepsPerMm, StepsPerMm, StepsPerMm]
-
-CoolingMethod = Literal["valve", "fan", "none"]
-Flavor = Literal["marlin", "reprapfirmware", "repetier", "klipper"]
 
 
 def _one_printable_line(name: str) -> str:
@@ -344,7 +350,7 @@ class Gcode(Section):
 
     flavor: Flavor = Field(description="firmware that reads the G-code")
     relative_extrusion: bool = Field(True, description="M83, not M82")
-    type_words: Literal["own", "prusa"] = Field(
+    type_words: TypeWords = Field(
         "own",
         description="what ;TYPE: says: what strands are for, or PrusaSlicer's role that comes "
         "nearest, which its viewer can colour; ours is a comment of its own then",
@@ -491,16 +497,16 @@ class Wire(Section):
     low_slabs_mm: tuple[Height, Height, Millimetres] | None = Field(
         None, description="from one height to another no slab is higher than so; slice --forecast"
     )
-    pattern: Literal["zigzag", "peaks"] = Field(
+    pattern: Pattern = Field(
         "zigzag", description="zigzag: contours and zigzag; peaks: the paper's figure 7c"
     )
-    placement: Literal["optimal", "paper"] = Field(
+    placement: Placement = Field(
         "optimal", description="of posts; paper: average of even spacing and nearest points"
     )
     deviation_target_mm: float = Field(
         0.3, ge=0.001, le=10, description="mean deviation at which a slab counts as twice its time"
     )
-    strategy: Literal["pause", "slow", "overshoot"] = Field(
+    strategy: Strategy = Field(
         "pause", description="against sagging strokes; the paper found pause the fastest"
     )
     pause_s: Pause = Field(
@@ -557,7 +563,7 @@ class Wire(Section):
     cap_spacing_mm: float = Field(
         6.0, gt=0.5, le=50, description="between a cap's strands; keeps coverage_within_mm"
     )
-    supports: Literal["wire", "none"] = Field("wire", description="under what would hang in air")
+    supports: Supports = Field("wire", description="under what would hang in air")
     coverage_min: float = Field(
         0.95, ge=0, le=1, description="share of the surface to be covered, else nothing is written"
     )

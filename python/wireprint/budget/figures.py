@@ -29,11 +29,6 @@ class Budget:
             if value is not None and not (math.isfinite(value) and value > 0):
                 raise SettingError(f"a budget's {name} is {value}; it must be positive")
 
-    def allows(self, print_time_s: float, filament_g: float) -> bool:
-        """Tell whether a print keeps within it."""
-        in_time = self.time_s is None or print_time_s <= self.time_s
-        return in_time and (self.filament_g is None or filament_g <= self.filament_g)
-
     def excess(self, print_time_s: float, filament_g: float) -> float:
         """Tell how many times over the budget a print is; at most 1 is within."""
         pairs = ((print_time_s, self.time_s), (filament_g, self.filament_g))

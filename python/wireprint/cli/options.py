@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, get_args
 
 import click
 
+from wireprint.choices import (
+    CoolingMethod,
+    Flavor,
+    Pattern,
+    Placement,
+    Strategy,
+    Supports,
+    TypeWords,
+)
 from wireprint.cli import completion
 from wireprint.cli.defaults import BUILT_IN, default
 from wireprint.cli.paths import InputFile
@@ -24,29 +33,29 @@ Command = TypeVar("Command", bound="Callable[..., object]")
 _KEYS: dict[str, tuple[str, Any, str]] = {
     "flavor": (
         "gcode.flavor",
-        click.Choice(["marlin", "reprapfirmware", "repetier", "klipper"]),
+        click.Choice(get_args(Flavor)),
         "Firmware that reads the G-code.",
     ),
     "type_words": (
         "gcode.type_words",
-        click.Choice(["own", "prusa"]),
+        click.Choice(get_args(TypeWords)),
         "Words after ;TYPE:, ours or those that PrusaSlicer's viewer colours.",
     ),
     "slab_min": ("wire.slab_min_mm", float, "Lowest slab, mm."),
     "slab_max": ("wire.slab_max_mm", float, "Highest slab, mm."),
     "pattern": (
         "wire.pattern",
-        click.Choice(["zigzag", "peaks"]),
+        click.Choice(get_args(Pattern)),
         "Contours and zigzags, or zigzags alone.",
     ),
     "placement": (
         "wire.placement",
-        click.Choice(["optimal", "paper"]),
+        click.Choice(get_args(Placement)),
         "Rule by which posts are placed.",
     ),
     "strategy": (
         "wire.strategy",
-        click.Choice(["pause", "slow", "overshoot"]),
+        click.Choice(get_args(Strategy)),
         "What keeps floating strokes from sagging.",
     ),
     "pause": (
@@ -56,12 +65,12 @@ _KEYS: dict[str, tuple[str, Any, str]] = {
     ),
     "cooling": (
         "cooling.method",
-        click.Choice(["valve", "fan", "none"]),
+        click.Choice(get_args(CoolingMethod)),
         "What solidifies floating strokes.",
     ),
     "supports": (
         "wire.supports",
-        click.Choice(["wire", "none"]),
+        click.Choice(get_args(Supports)),
         "What carries parts that would hang in the air.",
     ),
 }

@@ -1,6 +1,6 @@
 """What sets the firmwares' dialects apart; the only place that knows.
 
-A new flavour is one more entry of `FLAVORS` (and of ``settings.Flavor``).
+A new flavour is one more entry of `FLAVORS`, and its name in ``choices.Flavor``.
 
 Sources: marlinfw.org/docs/gcode; docs.duet3d.com, "GCode dictionary"; Repetier-Firmware,
 Repetier.ino; klipper3d.org/G-Codes.html; RepRapFirmware, GCodeQueue.cpp; Klipper,

@@ -63,6 +63,7 @@ class Mask(Shape):
     they were painted on.
     """
 
+    noun = "paint of the file"
     kind: Literal["mask"] = "mask"
     #: float64 of shape (V, 3), mm or the unit of the file that was painted.
     vertices: _array("<f8", 3)  # type: ignore[valid-type]

@@ -1,7 +1,7 @@
 """Shapes that mark a region: solids that hold points, whatever their normals."""
 
 from collections.abc import Callable
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -24,6 +24,9 @@ class Shape(BaseModel):
     """What a mark covers; immutable."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
+
+    #: What people call one.
+    noun: ClassVar[str] = "mark"
 
     def __eq__(self, other: object) -> bool:
         """Whether the other one is of the same kind and says the same."""
@@ -57,6 +60,7 @@ class Shape(BaseModel):
 class Box(Shape):
     """A box along the axes, its faces included."""
 
+    noun = "box"
     kind: Literal["box"] = "box"
     low_mm: Point
     high_mm: Point
@@ -87,6 +91,7 @@ class Box(Shape):
 class Sphere(Shape):
     """A ball, its surface included."""
 
+    noun = "ball"
     kind: Literal["sphere"] = "sphere"
     centre_mm: Point
     radius_mm: Length
@@ -111,6 +116,7 @@ class Sphere(Shape):
 class HalfSpace(Shape):
     """All points p with normal · p ≥ offset, the normal taken as a unit vector."""
 
+    noun = "half-space"
     kind: Literal["half"] = "half"
     normal: Point
     offset_mm: Coordinate = Field(description="distance of the plane from x = y = z = 0")
@@ -141,6 +147,7 @@ class HalfSpace(Shape):
 class ZRange(Shape):
     """All points between two heights, both included; an end that is None is open."""
 
+    noun = "heights"
     kind: Literal["z"] = "z"
     low_mm: Coordinate | None = None
     high_mm: Coordinate | None = None

@@ -22,6 +22,7 @@ class Stroke(Shape):
     a thin wall: there the other side is near, but faces away.
     """
 
+    noun = "stroke"
     kind: Literal["stroke"] = "stroke"
     points_mm: Annotated[tuple[Point, ...], Field(min_length=1, max_length=MOST_POINTS)]
     #: The surface's outward normals: one for all points, or one for each.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any
 
 from wireprint._core import SettingError
 from wireprint.regions import Region
@@ -14,16 +14,6 @@ if TYPE_CHECKING:
 
     from wireprint.regions import Mark
     from wireprint.settings import Settings
-
-#: Names of new marks, by kind of shape.
-_NAMES: Final = {
-    "stroke": "stroke",
-    "box": "box",
-    "sphere": "ball",
-    "z": "heights",
-    "half": "half-space",
-    "mask": "paint of the file",
-}
 
 
 @dataclass(frozen=True)
@@ -190,8 +180,7 @@ class History:
 
     def _item(self, mark: Mark, name: str | None = None) -> Item:
         self._next += 1
-        kind = getattr(mark.shape, "kind", "")
-        return Item(self._next, mark, name or f"{_NAMES.get(kind, 'mark')} {self._next}")
+        return Item(self._next, mark, name or f"{mark.shape.noun} {self._next}")
 
     def _find(self, number: int) -> tuple[int, Item]:
         for place, item in enumerate(self._state.items):

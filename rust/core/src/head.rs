@@ -136,21 +136,6 @@ impl Head {
         Self { parts, ..self }
     }
 
-    /// Lowest height of the round body above its tip at horizontal distance `r`, mm; infinite outside.
-    ///
-    /// `design`: 0 up to the tip's radius, the flank, then block and carriage.
-    #[must_use]
-    pub fn underside(&self, r: f64) -> f64 {
-        let flank = self.slope * (r - self.tip_radius).max(0.0);
-        if r <= self.block_radius {
-            flank.min(self.cone_height)
-        } else if r <= self.carriage_radius {
-            self.carriage_height
-        } else {
-            f64::INFINITY
-        }
-    }
-
     /// The tip and the flank.
     #[must_use]
     pub fn flank(&self) -> Flank {

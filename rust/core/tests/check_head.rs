@@ -75,9 +75,21 @@ impl Scene {
     /// Depth of the head with its tip at `p` in material at `q`; `slack` widens the parts, mm.
     fn depth_at(&self, p: DVec3, q: DVec3, slack: f64) -> f64 {
         let d = q - p;
-        let round = d.z - self.head.underside(DVec2::new(d.x, d.y).length());
+        let round = d.z - underside(&self.head, DVec2::new(d.x, d.y).length());
         let over = self.shapes.iter().filter(|shape| is_over(shape, d, slack));
         over.map(|shape| d.z - bottom(shape)).fold(round, f64::max)
+    }
+}
+
+/// Lowest height of the round body above its tip at horizontal distance `r`, mm; infinite outside.
+fn underside(head: &Head, r: f64) -> f64 {
+    let flank = head.slope * (r - head.tip_radius).max(0.0);
+    if r <= head.block_radius {
+        flank.min(head.cone_height)
+    } else if r <= head.carriage_radius {
+        head.carriage_height
+    } else {
+        f64::INFINITY
     }
 }
 

@@ -9,8 +9,9 @@ impl Head {
     /// The deepest that a straight move of the tip drives the head into a straight strand.
     ///
     /// This is `max q.z − p.z − underside(q.xy − p.xy)` over all points `p` of the move and `q`
-    /// of the strand (mm), exact to rounding; `None` where it is nowhere positive. Moves and
-    /// strands may be single points.
+    /// of the strand (mm), where `underside` is how high above the tip the head begins at a place
+    /// beside it; exact to rounding, `None` where it is nowhere positive. Moves and strands may be
+    /// single points.
     #[must_use]
     pub fn worst_depth(
         &self,
