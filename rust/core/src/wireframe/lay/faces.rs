@@ -146,3 +146,6 @@ pub fn give_up(cx: &Context, journal: &mut Journal, slab: usize, strip: usize, r
         .or_else(|| start(&cx.sliced.upper[slab], &piece.lower));
     journal.leave_out(low, high, piece.area, place.unwrap_or_default(), reason);
 }
+
+#[cfg(test)]
+mod tests;
