@@ -312,3 +312,44 @@ def test_no_row_of_the_table_of_hostile_inputs_is_a_fault(shared, cube, tmp_path
     journal.write_bytes((hostile / "bad_journal.txt").read_bytes())
     refused(run("bench", cube, "-o", tmp_path / "X.csv"), 4, "X.csv.journal:1: ")
     assert run("view", hostile / "blank_page.gcode", "-o", tmp_path / "b.html").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["slice", "", "-o", "a.gcode"],
+        ["slice", "CUBE", "-o", ""],
+        ["slice", "CUBE", "-o", "a.gcode", "--printer", ""],
+        ["slice", "CUBE", "-o", "a.gcode", "--material", ""],
+        ["slice", "CUBE", "-o", "a.gcode", "--load", ""],
+        ["info", ""],
+        ["check", ""],
+        ["view", "CUBE", "-o", ""],
+    ],
+)
+def test_an_empty_name_is_no_name(words, cube, monkeypatch):
+    """A variable of the shell that is not set must not choose a folder, or a default."""
+    monkeypatch.chdir(cube.parent)
+    done = run(*[str(cube) if word == "CUBE" else word for word in words])
+    refused(done, 2, "empty")
+    assert [path.name for path in cube.parent.iterdir()] == [cube.name]
+
+
+@pytest.mark.skipif(not os.path.isdir("/proc/self"), reason="there is no /proc")
+def test_a_folder_that_takes_no_files_is_named_with_the_systems_words(cube):
+    refused(run("slice", cube, "-o", "/proc/a.gcode"), 2, "/proc/a.gcode: No such file")
+
+
+def test_a_folder_in_place_of_a_profile_is_named_as_one(cube, tmp_path):
+    (tmp_path / "mine.toml").mkdir()
+    done = run("slice", cube, "-o", tmp_path / "a.gcode", "--printer", tmp_path / "mine.toml")
+    refused(done, 4, "mine.toml: this is a folder")
+
+
+def test_a_page_of_gcode_whose_settings_are_damaged_shows_strands_in_their_order(gcode, tmp_path):
+    path, page = tmp_path / "damaged.gcode", tmp_path / "damaged.html"
+    path.write_bytes(gcode.replace(b"; wire.pause_s = ", b"; wire.pause_s = x"))
+    done = run("view", path, "-o", page)
+    assert done.exit_code == 0, done.stderr
+    assert re.search(r"damaged\.gcode: line \d+: .* without times", done.stderr)
+    assert page.read_text().startswith("<!")

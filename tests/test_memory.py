@@ -105,8 +105,17 @@ def test_a_print_that_does_not_fit_is_refused_before_it_is_planned(cube):
     target = cube.with_suffix(".gcode")
     done = wireprint("slice", cube, "-o", target, "--scale", 4, memory="1M")
     assert done.returncode == 3
-    assert "a wire print of about" in done.stderr
+    assert f"{cube}: a wire print of about" in done.stderr
     assert not target.exists()
+
+
+@pytest.mark.parametrize("command", ["check", "simulate"])
+def test_a_file_that_is_too_much_to_judge_is_named(command, cube):
+    target = cube.with_suffix(".gcode")
+    assert wireprint("slice", cube, "-o", target, "-q", memory="1G").returncode == 0
+    done = wireprint(command, target, memory="100K")
+    assert done.returncode == 3
+    assert done.stderr.startswith(f"wireprint: error: {target}: ")
 
 
 def test_arrays_are_held_to_the_budget_too():

@@ -46,14 +46,17 @@ def replace(path: Path, content: bytes) -> None:
     OSError
         It cannot be written; then nothing has changed.
     """
+    refused = _crowded(path)
     for _ in range(_MOST_WRITERS):
         try:
             return _replace(path, content)
-        except FileNotFoundError:
-            # Another writer took the name before it was locked; without a folder there is none.
+        except FileNotFoundError as error:
+            # Another writer took the name before it was locked; without a folder there is none,
+            # and a folder of the system's own takes no files.
+            refused = error
             if not path.parent.is_dir():
-                raise
-    raise _crowded(path)
+                break
+    raise refused
 
 
 def _replace(path: Path, content: bytes) -> None:

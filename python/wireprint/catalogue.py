@@ -43,7 +43,7 @@ def find(kind: Kind, name: str) -> Path:
         path = Path(name)
         if path.is_file():
             return path
-        msg = f"{name}: no such file"
+        msg = f"{name}: {'this is a folder' if path.is_dir() else 'no such file'}"
         raise SettingError(msg)
     if name.endswith(FOREIGN_SUFFIXES):
         example = _EXAMPLE[kind]

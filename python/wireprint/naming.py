@@ -13,11 +13,13 @@ if TYPE_CHECKING:
 
 
 @contextmanager
-def named(path: str | os.PathLike[str] | None) -> Iterator[None]:
-    """Put a file's name, if there is one, before errors about it that do not begin with it."""
+def named(
+    path: str | os.PathLike[str] | None, kind: type[WireprintError] = WireprintError
+) -> Iterator[None]:
+    """Put a file's name, if there is one, before errors of a kind that do not begin with it."""
     try:
         yield
-    except WireprintError as error:
+    except kind as error:
         if path is None or str(error).startswith(os.fspath(path)):
             raise
         name = os.fspath(path)

@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wireprint import files
+from wireprint._core import MemoryLimitError
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
 from wireprint.cli.say import say_all, say_json
+from wireprint.naming import named
 from wireprint.streams import STREAM
 
 if TYPE_CHECKING:
@@ -81,7 +83,8 @@ def check(
         target = files.output(picture, f"{file.stem}.png", files.PICTURE_SUFFIXES, inputs)
     judge_by = _settings(printer, overrides) if overrides else printer
     standing = _standing(prints[:-1], file, judge_by, stopped)
-    certificate = judge(file, judge_by, _model(model_path, placement), standing=standing)
+    with named(file, MemoryLimitError):
+        certificate = judge(file, judge_by, _model(model_path, placement), standing=standing)
     to_stderr = picture == STREAM
     if target is not None:
         from wireprint.view import render_png

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wireprint import files
+from wireprint._core import MemoryLimitError
 from wireprint.cli.marks import marks_from, marks_options
 from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
 from wireprint.cli.say import say, say_json
+from wireprint.naming import named
 from wireprint.streams import STREAM
 from wireprint.text import one_line
 
@@ -67,7 +69,8 @@ def compare(
         target = files.output(output, f"{model.stem}.png", files.PICTURE_SUFFIXES, inputs)
     loaded = marks.load(model, options)
     settings = chosen.of(loaded)
-    found = compared(loaded.mesh, settings, conditions or None, loaded.region)
+    with named(model, MemoryLimitError):
+        found = compared(loaded.mesh, settings, conditions or None, loaded.region)
     to_stderr = output == STREAM
     machine = f"{settings.printer.name} with {settings.material.name}"
     if target is not None:

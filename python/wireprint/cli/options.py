@@ -177,6 +177,9 @@ class Chosen:
 
 def chosen_from(options: dict[str, Any]) -> Chosen:
     """Take the options of `settings_options` out of a command's own."""
+    for name in ("printer", "material"):
+        if options[name] == "":
+            raise click.UsageError(f"--{name}: the name is empty")
     overrides = list(options.pop("overrides"))
     keys = {name: key for name, (key, _, _) in _KEYS.items()} | {"caps": "wire.caps"}
     for name, key in keys.items():

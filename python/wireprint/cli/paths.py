@@ -38,6 +38,8 @@ class InputFile(_FileName):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Path:
         """Return a path that can be read as often as needed."""
+        if value == "":
+            self.fail("the name of the file is empty", param, ctx)
         path = streams.STDIN if value == STREAM else Path(value)
         # What is not there, or is a folder, can wait to be found out; a pipe cannot.
         if not self._must_be_there and (not path.exists() or path.is_dir()):
@@ -52,4 +54,6 @@ class OutputName(_FileName):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Return it."""
+        if value == "":
+            self.fail("the name of the file to write is empty", param, ctx)
         return str(value)

@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING
 import click
 
 from wireprint import files
+from wireprint._core import MemoryLimitError
 from wireprint.cli import completion
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.say import say_all, say_json
+from wireprint.naming import named
 from wireprint.streams import STREAM
 
 if TYPE_CHECKING:
@@ -88,7 +90,9 @@ def simulate(
     if html is not None:
         inputs = [path for path in (file, calibration) if path is not None]
         target = files.output(html, f"{file.stem}.html", files.PAGE_SUFFIXES, inputs)
-    found = forecast(file, _settings(file, printer, material, calibration, overrides), grip)
+    settings = _settings(file, printer, material, calibration, overrides)
+    with named(file, MemoryLimitError):
+        found = forecast(file, settings, grip)
     if target is not None:
         from wireprint.forecast_page import page
 

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from wireprint._core import ModelError, SettingError, UnprintableError
+from wireprint._core import MemoryLimitError, ModelError, SettingError, UnprintableError
 from wireprint.streams import is_stream
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ class Job:
         except IncompleteError as error:
             forced = "\n--force writes it all the same" if error.usable else ""
             raise UnprintableError(f"{model}: {error}{forced}") from error
-        except (ModelError, UnprintableError) as error:
+        except (ModelError, UnprintableError, MemoryLimitError) as error:
             raise type(error)("; ".join([f"{model}: {error}", *warnings])) from error
         forecast = stiffer = None
         if self.forecast:
