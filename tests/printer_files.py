@@ -127,7 +127,7 @@ SLIC3R = {
     "machine_max_jerk_e": "4.5,1.5",
     "retract_length": "0.75",
     "retract_speed": "36",
-    "deretract_speed": "24",
+    "deretract_speed": "24 # a remark, as some bundles have it",
     "filament_max_volumetric_speed": "14",
     "extruder_clearance_radius": "46",
     "extruder_clearance_height": "17",

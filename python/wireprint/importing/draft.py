@@ -71,7 +71,8 @@ def number(given: Given) -> float:
         It is none; the error names file, line and key.
     """
     try:
-        value = float(given.text)
+        # PrusaSlicer reads a number and leaves the rest; its own bundles have remarks there.
+        value = float(given.text.partition("#")[0])
     except ValueError:
         value = math.nan
     if not math.isfinite(value):

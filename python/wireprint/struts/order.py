@@ -14,6 +14,7 @@ from wireprint.certificate import check
 from wireprint.gcode import document
 from wireprint.stages import path_params
 from wireprint.struts.graph import Graph
+from wireprint.struts.knees import kneed, straight
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -32,7 +33,7 @@ _WHY: Final = {
     "floats": "nothing leads to it from the bed",
     "too_long": "it is longer than what may hang (wire.span_limit_mm)",
     "too_steep": "it can only be drawn downwards, more steeply than the head allows",
-    "barred": "the head would run into others, in whichever order was tried",
+    "barred": "the head would run into others, or too much would hang, in any order that was tried",
 }
 
 
@@ -102,16 +103,17 @@ def order(
     added = _supports(placed, settings) if supports else []
     if added:
         placed = _with(placed, added)
-    found, left = _core.order_lattice(
-        placed.nodes,
-        placed.edges.tolist(),
-        settings.printer.head.model_dump(),
-        _rules(settings, len(placed)),
-    )
+    pieces = straight(placed)
+    found, left = _found(pieces.graph, settings)
     if left:
-        raise UnprintableError(_refusal(placed, left))
+        # A flat tip may want struts that leave and arrive level.
+        bent = kneed(placed, settings)
+        again, still = _found(bent.graph, settings)
+        if still:
+            raise UnprintableError(_refusal(placed, left))
+        pieces, found = bent, again
     numbers, reversed_, floating = (np.array(column) for column in zip(*found, strict=True))
-    ordered = placed.chosen(numbers, reversed_)
+    ordered = pieces.graph.chosen(numbers, reversed_)
     loose = _loose(ordered, floating)
     if loose:
         raise UnprintableError(
@@ -127,17 +129,33 @@ def order(
     certificate = check(gcode, settings)
     if not certificate.ok:
         raise UnprintableError(f"the order that was found breaks the rules: {_first(certificate)}")
-    first = len(placed) - len(added)
-    timed = replace(ordered, time_s=_times(ordered, certificate, gcode, settings))
+    begun, ended = pieces.whole(numbers)
+    which = pieces.strut[numbers[begun]]
+    # A strut is begun at the node that its first piece touches, or comes from.
+    turned = pieces.turned(numbers[begun], reversed_[begun])
+    times = _times(ordered, certificate, gcode, settings)
+    whole = placed.chosen(which, turned)
     return OrderedGraph(
-        timed,
-        floating,
-        tuple(int(place) for place in np.flatnonzero(numbers >= first)),
+        replace(whole, time_s=times[begun]),
+        floating[ended],
+        tuple(int(place) for place in np.flatnonzero(which >= len(placed) - len(added))),
         path,
         gcode,
         certificate,
         estimate.total_s,
         settings,
+    )
+
+
+def _found(
+    graph: Graph, settings: Settings
+) -> tuple[list[tuple[int, bool, bool]], list[tuple[int, str]]]:
+    """Search for an order; return it, and what is left with why."""
+    return _core.order_lattice(
+        graph.nodes,
+        graph.edges.tolist(),
+        settings.printer.head.model_dump(),
+        _rules(settings, len(graph)),
     )
 
 

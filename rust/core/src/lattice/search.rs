@@ -43,7 +43,12 @@ struct Search<'a> {
     printed: Vec<bool>,
     /// Struts that end at each node and stand.
     holding: Vec<u32>,
+    /// Length along which each node hangs from what is held otherwise, mm; 0 where it is held by
+    /// the bed, or from two sides.
+    hang: Vec<f64>,
     laid: Vec<Laid>,
+    /// How far the nodes of each laid strut hung before it.
+    hung: Vec<[f64; 2]>,
     best: Vec<Laid>,
 }
 
@@ -62,7 +67,9 @@ impl<'a> Search<'a> {
             barred: vec![[0; 2]; lattice.len()],
             printed: vec![false; lattice.len()],
             holding: vec![0; lattice.nodes.len()],
+            hang: vec![0.0; lattice.nodes.len()],
             laid: Vec::new(),
+            hung: Vec::new(),
             best: Vec::new(),
         }
     }
@@ -109,9 +116,16 @@ impl<'a> Search<'a> {
             return None;
         }
         let floating = !self.is_held(to);
-        let [a, b] = self.lattice.places(stroke);
         let limit = if floating { self.rules.free_end } else { self.rules.span };
-        (a.distance(b) <= limit).then_some(Laid { stroke, floating })
+        (self.hanging(stroke) <= limit).then_some(Laid { stroke, floating })
+    }
+
+    /// How far a stroke's end hangs from what is held otherwise, mm: struts that go on from a free
+    /// end hang with it.
+    fn hanging(&self, stroke: Stroke) -> f64 {
+        let [from, _] = self.lattice.ends(stroke);
+        let [a, b] = self.lattice.places(stroke);
+        self.hang[from as usize] + a.distance(b)
     }
 
     /// Whether some strut that does not stand yet could never be printed after this one.
@@ -125,28 +139,40 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// What could be printed next: low struts first, then those near the head.
+    /// What could be printed next: low struts first, of these what ends where it is held, then what
+    /// begins lowest, then what is near the head.
     fn step(&self) -> Step {
         let at = self.laid.last().map(|laid| self.lattice.places(laid.stroke)[1]);
         let open = (0..self.lattice.len() as u32).filter(|&edge| !self.printed[edge as usize]);
         let both = open.flat_map(|edge| [false, true].map(|reversed| Stroke { edge, reversed }));
-        let mut choices: Vec<(Laid, f64, f64)> = both
+        let strand = self.rules.strand;
+        let mut choices: Vec<(Laid, [f64; 2], f64)> = both
             .filter_map(|stroke| self.possible(stroke))
             .filter(|&laid| !self.spoils(laid))
             .map(|laid| {
                 let [from, to] = self.lattice.places(laid.stroke);
                 let travel = at.map_or(0.0, |at: DVec3| at.distance(from));
-                (laid, height(from.z.max(to.z), self.rules.strand), travel)
+                let begins = if laid.floating { height(from.z, strand) } else { 0.0 };
+                (laid, [height(from.z.max(to.z), strand), begins], travel)
             })
             .collect();
-        choices.sort_by(|(a, a_top, a_travel), (b, b_top, b_travel)| {
-            let key = a_top.total_cmp(b_top).then(a_travel.total_cmp(b_travel));
-            key.then(a.floating.cmp(&b.floating)).then(a.stroke.cmp(&b.stroke))
+        choices.sort_by(|(a, a_rank, a_travel), (b, b_rank, b_travel)| {
+            let key = a_rank[0].total_cmp(&b_rank[0]).then(a.floating.cmp(&b.floating));
+            let key = key.then(a_rank[1].total_cmp(&b_rank[1]));
+            key.then(a_travel.total_cmp(b_travel)).then(a.stroke.cmp(&b.stroke))
         });
         Step { choices: choices.into_iter().map(|(laid, ..)| laid).collect(), tried: 0 }
     }
 
     fn print(&mut self, laid: Laid) {
+        let nodes = self.lattice.ends(laid.stroke).map(|node| node as usize);
+        let hanging = self.hanging(laid.stroke);
+        self.hung.push(nodes.map(|node| self.hang[node]));
+        if laid.floating {
+            self.hang[nodes[1]] = hanging;
+        } else {
+            nodes.iter().for_each(|&node| self.hang[node] = 0.0);
+        }
         self.count(laid, 1, true);
         self.laid.push(laid);
     }
@@ -154,6 +180,10 @@ impl<'a> Search<'a> {
     fn take_back(&mut self) {
         if let Some(laid) = self.laid.pop() {
             self.count(laid, u32::MAX, false);
+            let nodes = self.lattice.ends(laid.stroke);
+            for (node, hung) in nodes.into_iter().zip(self.hung.pop().unwrap_or_default()) {
+                self.hang[node as usize] = hung;
+            }
         }
     }
 

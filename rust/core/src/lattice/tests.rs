@@ -95,3 +95,19 @@ fn what_is_no_lattice_is_refused() {
     let empty = at(&[]).unwrap();
     assert!(empty.is_empty() && order(&empty, &head(), &rules()).strokes.is_empty());
 }
+
+#[test]
+fn struts_that_go_on_from_a_free_end_hang_with_it() {
+    // A beam that sticks out from a post: the post and its first part may hang, all of it may not.
+    let nodes = [[0., 0., 0.], [0., 0., 8.], [10., 0., 8.], [20., 0., 8.]];
+    let beam = lattice(&nodes, &[[0, 1], [1, 2], [2, 3]]);
+    let found = order(&beam, &head(), &rules());
+    assert_eq!(found.strokes.len(), 2);
+    assert_eq!(found.left.len(), 1);
+    // A second post at its end is printed before it, and all of it after that.
+    let nodes = [nodes.as_slice(), &[[20., 0., 0.]]].concat();
+    let table = lattice(&nodes, &[[0, 1], [1, 2], [2, 3], [4, 3]]);
+    let found = order(&table, &head(), &rules());
+    assert!(found.left.is_empty(), "{found:?}");
+    keeps_the_rules(&table, &found, &head(), &rules());
+}
