@@ -61,6 +61,21 @@ def test_moonraker_takes_a_form_with_or_without_a_key(server, key):
     }
 
 
+def test_octoprint_that_starts_nothing_is_not_believed_to_print(server):
+    # As OctoPrint 1.11 answers while no printer is connected.
+    server.answers = lambda *_: (201, {"done": True, "effectivePrint": False}, {})
+    send(host_at(server, "octoprint"), "b.gcode", GCODE)
+    with pytest.raises(SendError, match="not started: is the printer connected"):
+        send(host_at(server, "octoprint"), "b.gcode", GCODE, start=True)
+
+
+def test_a_key_that_octoprint_does_not_know_is_called_so(server):
+    # As OctoPrint 1.11 answers to a key that is nobody's.
+    server.answers = lambda *_: (400, b"CSRF validation failed", {})
+    with pytest.raises(SendError, match="it does not know the key"):
+        send(host_at(server, "octoprint"), "b.gcode", GCODE)
+
+
 def test_moonraker_that_starts_nothing_is_not_believed_to_print(server):
     server.answers = lambda *_: (201, {"print_started": False}, {})
     send(host_at(server, "moonraker"), "b.gcode", GCODE)

@@ -93,7 +93,17 @@ def _octoprint(host: Host, file: _File) -> None:
     word = "true" if file.start else "false"
     body, bounds = form({"select": word, "print": word}, file.name, file.content)
     headers = bounds | _key(host)
-    ask(host, "POST", "/api/files/local", body=body, headers=headers, on_sent=file.on_sent)
+    path = "/api/files/local"
+    try:
+        said = ask(host, "POST", path, body=body, headers=headers, on_sent=file.on_sent)
+    except SendError as error:
+        # So it calls a key that it does not know: it takes the sender for a page in a browser.
+        if "CSRF" not in str(error):
+            raise
+        raise SendError(f"{host.name} ({host.url}): refused: it does not know the key") from None
+    if file.start and isinstance(said, dict) and said.get("effectivePrint") is False:
+        msg = f"{host.name}: the file is there, but was not started: is the printer connected?"
+        raise SendError(msg)
 
 
 def _moonraker(host: Host, file: _File) -> None:
