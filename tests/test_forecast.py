@@ -217,6 +217,33 @@ def test_a_page_shows_strands_in_colours(cube, tmp_path, colour):
     assert any(b'"more than' in part and b'"no ' + colour.encode() in part for part in told)
 
 
+@pytest.mark.parametrize("colour", ["sag", "compliance", "flow", "weld"])
+def test_view_draws_the_same_colours(cube, tmp_path, colour):
+    target, picture, page = (tmp_path / name for name in ("c.gcode", "c.png", "c.html"))
+    run("slice", cube, "-o", target, "-q")
+    result = run("view", target, "-o", picture, "--colour", colour, "--size", "400x300")
+    assert result.exit_code == 0, result.stderr
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    run("view", target, "-o", page, "--colour", colour)
+    own = tmp_path / "own.html"
+    run("simulate", target, "--html", own, "--colour", colour)
+    assert page.read_bytes() == own.read_bytes()
+
+
+def test_a_model_has_no_forecast_to_be_coloured_by(cube, tmp_path):
+    result = run("view", cube, "-o", tmp_path / "c.png", "--colour", "sag")
+    assert result.exit_code != 0
+    assert "slice the model first" in result.stderr
+
+
+def test_a_text_that_ends_on_a_post_is_forecast():
+    """What is never left is as cold as can be."""
+    tower = [f"G1 X{20 * (i % 2)} Z{0.35 + 0.5 * i:.2f} E1" for i in range(40)]
+    for text in (gcode("G1 X20 E3.2", "G1 Z5 E1"), gcode(*tower), gcode("G1 Z5 E1 F0.001")):
+        found = simulate(text)
+        json.dumps(found.to_dict(), allow_nan=False)
+
+
 def test_what_is_no_gcode_is_refused(tmp_path):
     path = tmp_path / "model.stl"
     path.write_bytes(examples.stl("cube"))

@@ -11,6 +11,7 @@ from wireprint._core import MemoryLimitError
 from wireprint.cli import completion
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.say import say_all, say_json
+from wireprint.forecast_scales import RULES as FIGURES
 from wireprint.naming import named
 from wireprint.streams import STREAM
 
@@ -20,9 +21,6 @@ if TYPE_CHECKING:
 
     from wireprint.forecast import Forecast
     from wireprint.settings import Settings
-
-#: What a page can colour strands by.
-COLOURS = ("sag", "compliance", "flow", "weld")
 
 
 @click.command()
@@ -62,7 +60,7 @@ COLOURS = ("sag", "compliance", "flow", "weld")
 @click.option("--html", type=OutputName(), help="Page to draw the strands to, in colours.")
 @click.option(
     "--colour",
-    type=click.Choice(COLOURS),
+    type=click.Choice(tuple(FIGURES)),
     default="sag",
     help="What the page colours strands by.",
 )

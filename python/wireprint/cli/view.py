@@ -14,6 +14,7 @@ from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
 from wireprint.cli.say import say
+from wireprint.forecast_scales import RULES as FIGURES
 from wireprint.naming import named
 from wireprint.streams import STREAM, is_stream
 
@@ -96,6 +97,11 @@ _STAGES = ("slices", "contours", "strips", "posts", "strands", "toolpath")
 @click.option("--travels", is_flag=True, help="Draw moves without extrusion, too.")
 @click.option("--kinds", type=Words(), help="Show only these: contour, post, diagonal, …")
 @click.option("--weak", is_flag=True, help="Mark and tell where G-code's posts give way easily.")
+@click.option(
+    "--colour",
+    type=click.Choice(tuple(FIGURES)),
+    help="Colour G-code's strands by a figure of its forecast (wireprint simulate).",
+)
 @click.option("--edges", is_flag=True, help="Draw the edges of a model's triangles.")
 @click.option("--stage", type=click.Choice(_STAGES), help="Draw what this stage makes of a model.")
 @click.option("--slabs", type=SlabRange(), help="Slabs of that stage, from 0; default: all.")
@@ -110,6 +116,7 @@ def view(
     travels: bool,
     kinds: tuple[str, ...] | None,
     weak: bool,
+    colour: str | None,
     edges: bool,
     stage: Stage | None,
     slabs: range | None,
@@ -132,6 +139,10 @@ def view(
         files.PICTURE_SUFFIXES + files.PAGE_SUFFIXES,
         [file, *marks.files, *chosen.files],
     )
+    if colour is not None:
+        _forecast(file, target, colour, size, camera)
+        say(f"{target}: {file.name}", err=output == STREAM)
+        return
     places: tuple[Weak, ...] = ()
     gcode: bytes | None = None
     by_stdin = is_stream(file) and options["file_format"] is None
@@ -180,6 +191,24 @@ def _page(shown: Shown, gcode: bytes | None, file: Path, common: dict[str, Any])
         why = str(error).rpartition("; ")[0] or error
         say(f"{file}: {why}; strands are shown in their order, without times", err=True)
         return pictures.render_html(shown, **common)
+
+
+def _forecast(
+    file: Path, target: files.Output, colour: str, size: tuple[int, int], camera: str
+) -> None:
+    """Draw G-code in the colours of a figure, for the printer that its file names."""
+    from wireprint import forecast_page, view
+    from wireprint.forecast import simulate
+
+    if not (is_stream(file) or view.is_gcode(file)):
+        raise click.UsageError(
+            f"{file}: --colour draws a forecast of G-code; slice the model first"
+        )
+    found = simulate(file)
+    if str(target).lower().endswith(files.PAGE_SUFFIXES):
+        target.write(forecast_page.page(found, colour, file.name))
+    else:
+        target.write(forecast_page.picture(found, colour, file.name, size, camera))
 
 
 def _weak(file: Path) -> tuple[Weak, ...]:

@@ -151,7 +151,8 @@ impl Fall {
     #[must_use]
     pub fn at(&self, age: f64) -> f64 {
         let place = (age.max(0.0) / FIRST_S).ln_1p() / SPACING;
-        let knot = place as usize;
+        // What is never left, because a text ends there, is as cold as can be.
+        let knot = (place as usize).min(self.celsius.len());
         match self.celsius.get(knot..knot + 2) {
             Some(&[before, after]) => before + (place - knot as f64) * (after - before),
             _ => self.celsius.last().copied().unwrap_or(0.0),
@@ -180,6 +181,15 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+
+    #[test]
+    fn at_no_age_is_it_warmer_than_at_the_nozzle_or_colder_than_the_air() {
+        let fall = Fall::of(&ABS, 3000.0);
+        for age in [-1.0, 0.0, 1e-9, 1.0, LAST_S, 1e300, f64::INFINITY] {
+            assert!((ABS.air_c..=ABS.nozzle_c).contains(&fall.at(age)), "{age}");
+        }
+        assert!((fall.at(f64::INFINITY) - ABS.air_c).abs() < 1e-6);
+    }
 
     pub(in super::super) const ABS: Thermal = Thermal {
         strand: 0.7,

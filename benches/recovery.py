@@ -1,0 +1,74 @@
+"""Fits synthetic ladders and harps: how often pause and sag come out as they were.
+
+python benches/recovery.py [--seeds N] [--printer NAME] [--material NAME]
+
+Each machine is drawn from the priors; its pause is told with ±0.1 s, its sags with ±0.15 mm. Fails
+where the predicted pause is within 0.15 s, and the sag of a strand of 20 mm within 0.1 mm, for
+fewer than 95 of 100.
+"""
+
+import argparse
+import math
+import sys
+
+import numpy as np
+
+from wireprint import Settings, _core
+from wireprint.calibration.answers import SAG_MM, Answers, Held, Sag
+from wireprint.calibration.fit import PRIORS, fitted
+from wireprint.calibration.tents import LENGTHS_MM, SHARES
+from wireprint.forecast_terms import air_mm_s, matter_of
+
+PAUSE_S, WITHIN_S, WITHIN_MM, OFTEN = 0.1, 0.15, 0.1, 0.95
+
+
+def truth(settings, rng):
+    """A machine as the priors say that it may be: its pause, and what tells its sags."""
+    matter = matter_of(settings.material, settings.strand_mm)
+    blown, thick, drawn, hotter = (rng.standard_normal(4) * PRIORS).tolist()
+    other = matter | {
+        "glass_c": matter["glass_c"] + hotter,
+        "melt_viscosity_pa_s": matter["melt_viscosity_pa_s"] * math.exp(thick),
+        "draw": max(1.0, matter["draw"] + drawn),
+    }
+    speed = air_mm_s(settings) * math.exp(blown)
+    pause = _core.cooling_time(matter, settings.material.holding_c + hotter, speed)
+    return pause, lambda laid: _core.sags(other, speed, laid, list(LENGTHS_MM))
+
+
+def recovered(settings, seed):
+    """How far pause (s) and the sag of the shortest strand (mm) are off for one machine."""
+    rng = np.random.default_rng(seed)
+    pause, sags = truth(settings, rng)
+    speeds = [share * settings.print_mm_s for share in SHARES]
+    laid = {speed: sags(speed) for speed in speeds}
+    measured = tuple(
+        Sag(length, speed, max(0.0, sag + rng.normal(0, SAG_MM)))
+        for speed in speeds
+        for length, sag in zip(LENGTHS_MM, laid[speed], strict=True)
+    )
+    told = max(0.01, pause + rng.normal(0, PAUSE_S))
+    held = Held("ladder", settings.print_mm_s, told, PAUSE_S)
+    found = fitted(settings, Answers("2026-11-27", (held,), measured))
+    return found.pause_s - pause, found.sags_mm[0][1] - laid[speeds[0]][0]
+
+
+def main():
+    """Fit them all, and say how often each came out."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--seeds", type=int, default=100)
+    parser.add_argument("--printer", default="prusa-mk4s")
+    parser.add_argument("--material", default="pla")
+    options = parser.parse_args()
+    settings = Settings.load(options.printer, options.material)
+    off = np.abs([recovered(settings, seed) for seed in range(options.seeds)])
+    shares = np.mean(off <= (WITHIN_S, WITHIN_MM), axis=0)
+    for name, share, at in zip(
+        ("pause", "sag"), shares, np.quantile(off, 0.95, axis=0), strict=True
+    ):
+        print(f"{name}: {share:.0%} within the limit; 95 % within {at:.3f}")
+    sys.exit(bool((shares < OFTEN).any()))
+
+
+if __name__ == "__main__":
+    main()
