@@ -104,3 +104,21 @@ def test_a_plain_slice_is_not_stiffened(tmp_path, cube):
     told = json.loads(run("slice", cube, "-o", paths[1], "--json", "--forecast").stdout)
     assert told["stiffened"] is None
     assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+def test_a_grip_is_not_promised_without_what_tells_it(monkeypatch, tmp_path, cube):
+    monkeypatch.setattr("wireprint.frames.find_spec", lambda name: None)
+    result = run("slice", cube, "-o", tmp_path / "c.gcode", "--grip", 5)
+    assert result.exit_code != 0
+    assert "pip install 'wireprint[grip]'" in result.stderr
+    assert not (tmp_path / "c.gcode").exists()
+
+
+def test_the_command_says_what_was_set_and_what_came_of_it(tmp_path, cube):
+    target = tmp_path / "c.gcode"
+    words = run("slice", cube, "-o", target, "--grip", 1000).stdout
+    assert "prints that were tried" in words or "nothing helps" in words
+    told = json.loads(run("slice", cube, "-o", target, "--grip", 1000, "--json").stdout)
+    assert not told["stiffened"]["enough"]
+    assert told["certified"]
+    assert told["stiffened"]["bears_after_n"] >= told["stiffened"]["bears_before_n"]

@@ -60,8 +60,9 @@ def unknown(settings: Settings) -> list[str]:
             )
     else:
         trust = (
-            f"Pause and sags were measured on {known.date} ({'; '.join(known.measured)}); all "
-            "other figures may be half or twice as large."
+            f"What was measured on {known.date} ({'; '.join(known.measured)}) tells pause, sags "
+            "and stiffness within the spread of its fit; all other figures may be half or twice "
+            "as large."
         )
     return [
         trust,

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -28,6 +29,11 @@ _POISSON: Final = 0.38
 
 class NoSolverError(RuntimeError):
     """There is no scipy."""
+
+
+def can_solve() -> bool:
+    """Whether there is scipy."""
+    return find_spec("scipy") is not None
 
 
 @dataclass(frozen=True)

@@ -99,6 +99,11 @@ def slice_models(
     into its own strands, leave them hanging, or leave more than a twentieth of the surface bare
     (wire.coverage_min), is refused.
     """
+    if grip is not None:
+        from wireprint.frames import can_solve
+
+        if not can_solve():
+            raise click.UsageError("--grip takes scipy: pip install 'wireprint[grip]'")
     forecast = forecast or grip is not None
     chosen, marks = chosen_from(options), marks_from(options, models)
     host = _host(send, start, models)

@@ -74,9 +74,8 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
 
 def _of_stiffening(stiffer: Mapping[str, Any]) -> Iterator[str]:
     """Say what was done about a print that would give way."""
-    tried = f"{stiffer['tried']} prints were tried"
     if not stiffer["overrides"]:
-        yield _row("stiffer", f"nothing helps: {tried}")
+        yield _row("stiffer", f"nothing helps: {stiffer['tried']} other prints were tried")
         return
     sets = " ".join(f"--set '{override}'" for override in stiffer["overrides"])
     before, after = (stiffer[f"meets_{when}_mm"] or 0.0 for when in ("before", "after"))
@@ -84,7 +83,7 @@ def _of_stiffening(stiffer: Mapping[str, Any]) -> Iterator[str]:
     if stiffer["bears_after_n"] is not None:
         grips = f"; bears {stiffer['bears_before_n']:.2g} → {stiffer['bears_after_n']:.2g} N"
     enough = "" if stiffer["enough"] else "; that does not suffice yet"
-    yield _row("stiffer", f"with {sets}, of {tried}")
+    yield _row("stiffer", f"with {sets}, found among {stiffer['tried']} prints that were tried")
     yield _row(
         "",
         f"strands are pulled aside by {before:.2g} → {after:.2g} mm{grips}, in "
