@@ -63,6 +63,8 @@ def read_ply(text: bytes) -> Graph:
         if words[0] == "element" and len(words) == 3:
             elements.append((words[1], _count(words[2], number), []))
         elif words[0] == "property" and elements:
+            if len(words) < 3:
+                raise ModelError(f"line {number}: a property has a type and a name")
             elements[-1][2].append(words[-1] if words[1] != "list" else f"list {words[-1]}")
         elif words[0] == "end_header":
             break
