@@ -58,6 +58,20 @@ def shell(sides=9, radii=(32.0, 20.0, 8.0), height=10.0):
     return Graph(nodes, edges)
 
 
+def cage(cells=2, pitch=12.0):
+    """Upright struts, level ones, and steep braces that share nodes with them."""
+    count = cells + 1
+    nodes = np.array(list(np.ndindex(count, count, count)), float) * pitch
+    number = np.arange(count**3).reshape(count, count, count)
+    edges = [
+        np.stack([number[:-1], number[1:]], -1),
+        np.stack([number[:, :-1], number[:, 1:]], -1),
+        np.stack([number[:, :, :-1], number[:, :, 1:]], -1),
+        np.stack([number[:-1, :, :-1], number[1:, :, 1:]], -1)[:, ::cells],
+    ]
+    return Graph(nodes, np.concatenate([part.reshape(-1, 2) for part in edges]))
+
+
 def truss(bays=5, bay=13.0, height=5.0):
     """A row of pyramids whose tips are joined."""
     nodes = [[bay * x, bay * y, 0] for x in range(bays + 1) for y in range(2)]
@@ -428,3 +442,45 @@ def test_beams_that_are_built_wrongly_are_refused_by_name(body, words, tmp_path)
         return
     with pytest.raises(wireprint.ModelError, match=f"a.3mf: .*{words}"):
         read_struts(path)
+
+
+#: A needle of a nozzle, for struts that rise steeply.
+NEEDLE = [*SLIM, "head.slant_deg=75", "wire.free_end_limit_mm=24"]
+
+
+def steep_dome(radius=36.0, rings=3, around=12):
+    """A half ball of triangles: at its foot struts rise by 60 degrees."""
+    nodes, edges = [], []
+    for level in range(rings):
+        rise, here = 0.5 * np.pi * level / rings, level * around
+        for side in range(around):
+            turn, flat = 2 * np.pi * (side + level / 2) / around, radius * np.cos(rise)
+            nodes.append([flat * np.cos(turn), flat * np.sin(turn), radius * np.sin(rise)])
+            edges.append([here + side, here + (side + 1) % around])
+            if level + 1 < rings:
+                edges += [[here + side, here + around + (side - step) % around] for step in (0, 1)]
+            else:
+                edges.append([here + side, rings * around])
+    return Graph([*nodes, [0, 0, radius]], edges)
+
+
+@pytest.mark.parametrize("make", [cage, steep_dome])
+def test_steep_struts_that_share_nodes_leave_and_arrive_level(make):
+    graph = make()
+    found = order(graph, wireprint.Settings.load(overrides=NEEDLE))
+    assert found.certificate.ok
+    # Each strut is told once, whole, from where it is begun; not its pieces.
+    assert len(found.graph) == len(graph)
+    middle = found.graph.nodes.mean(axis=0) - graph.nodes.mean(axis=0)
+    ends = {frozenset(map(tuple, strut.round(3))) for strut in found.graph.ends - middle}
+    assert ends == {frozenset(map(tuple, strut.round(3))) for strut in graph.ends}
+    assert (np.diff(found.graph.time_s) >= 0).all()
+    # Pieces lie within the tip's reach of the struts.
+    pieces = found.certificate.core.strands.reshape(-1, 3)
+    centre = [*found.settings.printer.bed.centre_mm, 0.0]
+    whole = found.graph.ends
+    run = whole[:, 1] - whole[:, 0]
+    for place in pieces - centre:
+        share = np.einsum("ij,ij->i", place - whole[:, 0], run) / (run**2).sum(axis=1)
+        near = whole[:, 0] + np.clip(share, 0, 1)[:, None] * run
+        assert np.linalg.norm(near - place, axis=1).min() < 0.5 + 0.7
