@@ -85,12 +85,38 @@ def test_what_has_room_for_a_zigzag_gets_one(settings):
     assert length_mm(made, "diagonal") > 0
 
 
-def test_rods_that_bar_each_other_are_whole_as_well(settings):
+def row(settings, gap_nozzles, lean=0.0, count=4):
+    """Rods in a row along y, so many diameters of the nozzle apart."""
     nozzle_mm = settings.printer.head.nozzle_mm
-    rods = [rod(5 * nozzle_mm, 20.0) for _ in range(3)]
+    rods = [rod(3 * nozzle_mm, 20.0, lean) for _ in range(count)]
     for number, one in enumerate(rods):
-        one.apply_translation([number * 14 * nozzle_mm, 0.0, 0.0])
-    made = printed(trimesh.util.concatenate(rods), settings)
+        one.apply_translation([0.0, number * (6 + gap_nozzles) * nozzle_mm, 0.0])
+    return trimesh.util.concatenate(rods)
+
+
+@pytest.mark.parametrize("lean", [0.0, 0.8])
+@pytest.mark.parametrize("gap_nozzles", [3.0, 6.0, 11.0])
+def test_rods_in_a_row_are_coiled_in_lifts(settings, gap_nozzles, lean):
+    nozzle_mm = settings.printer.head.nozzle_mm
+    made = printed(row(settings, gap_nozzles, lean), settings)
+    assert made.certificate.ok
+    assert made.figures()["coverage"] > 0.99
+    assert lean or made.wireframe.post_count == 0
+    around_mm = 4 * math.tau * 3 * nozzle_mm
+    assert length_mm(made, "contour") > 0.5 * 20.0 / (0.75 * nozzle_mm) * around_mm
+
+
+def test_rods_that_stand_closer_than_a_turn_is_high_get_posts(settings):
+    made = printed(row(settings, 1.0), settings)
+    assert made.certificate.ok
+    assert made.wireframe.post_count > 0
+
+
+def test_a_rod_beside_a_wall_gets_posts_like_the_wall(settings):
+    nozzle_mm = settings.printer.head.nozzle_mm
+    wall = trimesh.creation.box((60.0, 20.0, 20.0))
+    wall.apply_translation([0.0, 10.0 + 8 * nozzle_mm, 10.0])
+    made = printed(trimesh.util.concatenate([rod(5 * nozzle_mm, 20.0), wall]), settings)
     assert made.certificate.ok
     assert made.figures()["coverage"] > 0.95
 

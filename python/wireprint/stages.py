@@ -68,6 +68,7 @@ def origin_mm(settings: Settings, at_mm: Point) -> Point:
 
 def _of_wire(settings: Settings) -> dict[str, object]:
     """Return what the wireframe depends on besides the settings of `[wire]` as they stand."""
+    times = _times(settings)
     return {
         "strand_mm": settings.strand_mm,
         "slab_min_mm": settings.slab_min_mm,
@@ -75,8 +76,9 @@ def _of_wire(settings: Settings) -> dict[str, object]:
         "first_layer_height_mm": settings.first_layer_height_mm,
         "print_mm_s": settings.print_mm_s,
         "pause_s": settings.pause_s,
-        "climb": _climb(settings.printer),
-        "times": _times(settings),
+        "hop_s": times["hop_s"],
+        "climb": times["climb"],
+        "times": times,
         "supports": settings.wire.supports == "wire",
     }
 
@@ -151,17 +153,19 @@ def _climb(printer: Printer) -> dict[str, float]:
     return {"mm_s": motion.marlin.max_velocity[2], "mm_s2": motion.marlin.max_accel[2]}
 
 
-def _times(settings: Settings) -> dict[str, float]:
+def _times(settings: Settings) -> dict[str, object]:
     """Return how long the head takes, so that orders of printing can be compared."""
     extruder, travel_mm_s = settings.printer.extruder, settings.printer.speeds.travel_mm_s
     filament_s = extruder.retract_mm / extruder.retract_speed_mm_s
     filament_s += extruder.retract_mm / extruder.unretract_speed_mm_s
-    lifts_mm_s = min(travel_mm_s, _climb(settings.printer)["mm_s"])
+    climb = _climb(settings.printer)
+    lifts_mm_s = min(travel_mm_s, climb["mm_s"])
     return {
         "print_mm_s": settings.print_mm_s,
         "travel_mm_s": travel_mm_s,
         "pause_s": settings.pause_s,
         "hop_s": filament_s + 2 * settings.wire.travel_lift_mm / lifts_mm_s,
+        "climb": climb,
     }
 
 

@@ -26,6 +26,20 @@ impl Climb {
     }
 }
 
+/// How long the head takes up a post and down a diagonal, s, at a speed in mm/s; `climb` is the axis
+/// that raises it, None where that is as fast as the others.
+#[must_use]
+pub fn strokes_take(climb: Option<Climb>, speed: f64, height: f64, run: f64) -> f64 {
+    let diagonal = height.hypot(run);
+    match climb {
+        Some(climb) => {
+            let rise = climb.takes(height, speed);
+            rise + rise.max(diagonal / speed)
+        }
+        None => (height + diagonal) / speed,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

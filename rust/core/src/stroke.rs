@@ -9,6 +9,8 @@
 
 use crate::head::{Flank, Head};
 
+/// What stands keeps this much more than the head's bare clearance, for rounding in the written file.
+pub const SLACK: f64 = 1.01;
 /// Part of a joint's squash that is used, so that rounding cannot fail the proof.
 pub const SQUASH: f64 = 0.97;
 /// The slope of the paper's zigzag, degrees: its head's flank ("32°").
@@ -18,7 +20,7 @@ const PAPER_TIP: f64 = 5.0 / 7.0;
 
 /// Meshes may be so many times as large as those of the paper's zigzag. Doubled, prints whose heads ask
 /// for long runs bend twice as far; at 1, they take some percent longer.
-const MESH: f64 = 1.1;
+const MESH: f64 = 1.15;
 
 /// A head's flank with the strand that it lays; lengths in mm.
 #[derive(Debug, Clone, Copy)]

@@ -63,6 +63,7 @@ pub fn wireframe(
     let head = head.0;
     let (Params(heights), Params(wire)) =
         (params.extract::<Params<HeightParams>>()?, params.extract::<Params<WireParams>>()?);
+    let heights = HeightParams { coils: wire.has_forms(), ..heights };
     let layered = layered.map(|args| args.core()).transpose()?.unwrap_or_default();
     let model = mesh.get().core();
     let standing = standing.as_ref().map(ends).transpose()?.unwrap_or_default();

@@ -16,7 +16,7 @@ pub use super::level::Level;
 pub use params::HeightParams;
 
 use self::costs::Costs;
-use self::outline::Outline;
+use self::outline::{Measure, Outline};
 use self::wanted::{Wanted, wanted_heights};
 use super::bare_crests::Crests;
 use super::cut::cut_map;
@@ -24,9 +24,10 @@ use super::headroom::{Headroom, extent_of};
 use super::plane::{Plane, Side};
 use super::profile::Profile;
 use super::tuning::{MOST_CANDIDATES, REACH, SAME, STEP, WIDE};
+use crate::coil::roomy;
 use crate::head::Head;
 use crate::mesh::Mesh;
-use crate::stroke::Strokes;
+use crate::stroke::{SLACK, Strokes};
 
 /// Costs of the slabs below this many candidates are worth a thread of their own.
 const FEW: usize = 32;
@@ -121,6 +122,8 @@ fn cheapest_chain(
 ) -> Vec<f64> {
     let (bottom, top) = (heights[0], heights[heights.len() - 1]);
     let planes: Vec<Plane> = heights.iter().map(|&z| Plane { z, side: Side::Below }).collect();
+    let strokes = Strokes::new(head, params.strand);
+    let measure = measure(head, params);
     let (profile, outlines) = rayon::join(
         || {
             Profile::new(
@@ -130,16 +133,11 @@ fn cheapest_chain(
                 (STEP * params.free_end).max((top - bottom) / MOST_CANDIDATES),
             )
         },
-        || {
-            cut_map(mesh, &planes, |loops| {
-                (Outline::new(&loops, params.strand, params.free_end), extent_of(&loops))
-            })
-        },
+        || cut_map(mesh, &planes, |loops| (Outline::new(&loops, &measure), extent_of(&loops))),
     );
     let (outlines, extents): (Vec<_>, Vec<_>) = outlines.into_iter().unzip();
     let headroom = Headroom::new(head, &extents, params.strand);
-    let strokes = Strokes::new(head, params.strand);
-    let costs = Costs { strokes, params, profile, outlines, heights, wanted };
+    let costs = Costs { head, strokes, params, profile, outlines, heights, wanted };
     let count = heights.len();
     let below = |j: usize| {
         let mut slabs = costs.slabs_below(j);
@@ -166,6 +164,17 @@ fn cheapest_chain(
     }
     chain.reverse();
     chain
+}
+
+/// What is asked of the outlines of slices.
+fn measure(head: &Head, params: &HeightParams) -> Measure {
+    let widest = Strokes::new(head, params.strand).run(params.slab_max);
+    Measure {
+        strand: params.strand,
+        free_end: params.free_end,
+        roomy: if params.coils { roomy(widest) } else { 0.0 },
+        reach: head.clearance(params.slab_max) * SLACK,
+    }
 }
 
 /// Lets each level take in the wanted heights within `reach` mm that no level stands on, and the

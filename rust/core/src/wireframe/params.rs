@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use crate::climb::Climb;
 use crate::wireframe::place::zigzag::Placement;
 
 /// How slabs are filled.
@@ -30,6 +31,8 @@ pub struct Times {
     /// lowered.
     #[serde(rename = "hop_s")]
     pub hop: f64,
+    /// The axis that raises the head; None where it is as fast as the others.
+    pub climb: Option<Climb>,
 }
 
 /// What the wireframe depends on; lengths in mm.
@@ -57,4 +60,12 @@ pub struct WireParams {
     pub free_end_limit: f64,
     /// How long the head takes, so that orders can be compared.
     pub times: Times,
+}
+
+impl WireParams {
+    /// Whether walls may have other forms than a zigzag each: small rings a coil, two walls one zigzag.
+    #[must_use]
+    pub fn has_forms(&self) -> bool {
+        self.pattern == Pattern::Zigzag && self.placement == Placement::Optimal
+    }
 }

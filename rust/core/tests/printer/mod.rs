@@ -46,6 +46,8 @@ impl Printer {
             speed: 30.0 * scale,
             pause: 1.0,
             low_slabs: None,
+            hop: 0.3,
+            coils: true,
             climb: None,
         };
         let wire = WireParams {
@@ -62,6 +64,7 @@ impl Printer {
                 travel_speed: 150.0 * scale,
                 pause: 1.0,
                 hop: 0.3,
+                climb: None,
             },
         };
         Self { head, heights, wire }

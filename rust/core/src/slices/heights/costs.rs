@@ -1,18 +1,24 @@
 //! What a slab between two heights costs: the time that it prints, and fines.
 
-use super::outline::Outline;
+use std::f64::consts::TAU;
+
+use super::outline::{Outline, Ring};
 use super::params::HeightParams;
 use super::wanted::Wanted;
-use crate::coil::{Coil, wobble};
+use crate::climb::strokes_take;
+use crate::coil::{Coil, Near, Pace, SmallWalls, keep_groups, roomy, wobble};
+use crate::head::Head;
 use crate::slices::profile::Profile;
 use crate::slices::tuning::{
-    HEIGHT_FINE, LEAN, LEAN_FINE, LOST_FINE, LOW_FINE, LOWEST, QUICK_PAUSE, REACH, SKIP_FINE, WIDE,
-    WORTH,
+    HEIGHT_FINE, LEAN, LEAN_FINE, LOST_FINE, LOW_FINE, LOWEST, QUICK_PAUSE, REACH, SKIP_FINE,
+    UNCOILED, WIDE, WORTH,
 };
-use crate::stroke::Strokes;
+use crate::stroke::{SLACK, Strokes};
 
 /// What slabs between candidate heights cost.
 pub struct Costs<'a> {
+    /// The head.
+    pub head: &'a Head,
     /// What strokes are legal.
     pub strokes: Strokes,
     /// What the choice depends on.
@@ -58,7 +64,9 @@ impl Costs<'_> {
         let height = to - from;
         let spacing = self.strokes.run(height);
         let (lower, upper) = (&self.outlines[i], &self.outlines[j]);
-        let walls = [lower, upper].map(|outline| self.walls(outline, height, spacing));
+        let small = self.small(height, spacing);
+        let walls = [(lower, upper), (upper, lower)]
+            .map(|(outline, other)| self.walls(outline, other, &small));
         let half = |of: fn(&Walls) -> f64| 0.5 * (of(&walls[0]) + of(&walls[1]));
         let (time, quick) = (half(|w| w.time), half(|w| w.quick));
         let worth = time.min(quick.max(WORTH * time));
@@ -77,11 +85,20 @@ impl Costs<'_> {
         time + worth * deviation * deviation + fines
     }
 
-    /// What the walls of a slab cost that stand on a slice: a zigzag each, or a coil where that costs less.
-    fn walls(&self, outline: &Outline, height: f64, spacing: f64) -> Walls {
+    /// What the walls of small rings go by in a slab.
+    fn small(&self, height: f64, spacing: f64) -> SmallWalls {
         let p = self.params;
+        let pace = Pace { speed: p.speed, pause: p.pause, hop: p.hop, climb: p.climb };
+        SmallWalls { height, spacing, strand: p.strand, pace }
+    }
+
+    /// What the walls of a slab cost that stand on a slice, the `other` one being at its other end: a
+    /// zigzag each, or a coil.
+    fn walls(&self, outline: &Outline, other: &Outline, small: &SmallWalls) -> Walls {
+        let (p, SmallWalls { height, spacing, .. }) = (self.params, *small);
         let stroke = height + height.hypot(spacing);
-        let post = (p.pause + self.strokes_take(height, spacing)) / spacing + 1.0 / p.speed;
+        let strokes = strokes_take(p.climb, p.speed, height, spacing);
+        let post = (p.pause + strokes) / spacing + 1.0 / p.speed;
         let quick = (QUICK_PAUSE + stroke / p.speed) / spacing + 1.0 / p.speed;
         // A chord of length s on curvature κ strays by κ·s²/12 in the mean. Half of what a head asks for
         // beyond the paper's run is not held against the slab: lower slabs would cost more time than
@@ -93,33 +110,46 @@ impl Costs<'_> {
             sag: outline.turning * sag,
             fine: 0.0,
         };
-        let coil = Coil { height, strand: p.strand, lean: 0.0 };
-        for ring in &outline.rings {
-            let fine = wobble(ring.length, spacing);
-            if fine == 0.0 {
-                break;
-            }
-            let coiled = coil.takes(ring.length, p.speed);
-            if coiled < ring.length * post + fine {
-                walls.time += coiled - ring.length * post;
+        for (ring, coiled) in outline.rings.iter().zip(self.coiled(outline, other, small)) {
+            if let Some(takes) = coiled {
+                walls.time += takes - ring.length * post;
                 walls.sag -= ring.turning * sag;
             } else {
-                walls.fine += fine;
+                walls.fine += UNCOILED * wobble(ring.length, spacing);
             }
         }
         walls
     }
 
-    /// How long the head takes up a post and down a diagonal, s.
-    fn strokes_take(&self, height: f64, run: f64) -> f64 {
-        let (speed, diagonal) = (self.params.speed, height.hypot(run));
-        match self.params.climb {
-            Some(climb) => {
-                let rise = climb.takes(height, speed);
-                rise + rise.max(diagonal / speed)
-            }
-            None => (height + diagonal) / speed,
+    /// For each ring that has no room for its posts, the shortest first, what its coil takes, s; None
+    /// where it gets posts.
+    fn coiled(&self, outline: &Outline, other: &Outline, small: &SmallWalls) -> Vec<Option<f64>> {
+        let count = outline.rings.partition_point(|ring| ring.length < roomy(small.spacing));
+        if count == 0 || !self.params.coils {
+            return vec![None; count];
         }
+        let leans: Vec<f64> =
+            outline.rings[..count].iter().map(|ring| lean(ring, other, small.height)).collect();
+        let rings = outline.rings.iter().zip(&leans);
+        let takes: Vec<Option<f64>> =
+            rings.map(|(ring, &lean)| small.coiled(ring.length, lean)).collect();
+        let clearance = |rise: f64| self.head.clearance(rise) * SLACK;
+        let reach = clearance(small.height);
+        let near: Vec<Near> =
+            outline.near.iter().filter(|near| near.gap < reach).copied().collect();
+        let mut able: Vec<bool> =
+            (0..outline.rings.len()).map(|i| takes.get(i).is_some_and(Option::is_some)).collect();
+        keep_groups(&mut able, &near, clearance(small.rise()));
+        let hops = |ring: usize| {
+            let own = near.iter().filter(|near| near.walls.contains(&ring));
+            let gap = own.map(|near| near.gap).fold(f64::INFINITY, f64::min);
+            let SmallWalls { height, strand, pace, .. } = *small;
+            let turns = Coil { height, strand, lean: leans[ring] }.turns();
+            let at_once = small.turns_at_once(turns, gap, clearance).unwrap_or(1);
+            (turns.div_ceil(at_once) - 1) as f64 * pace.hop
+        };
+        let whole = takes.into_iter().enumerate();
+        whole.map(|(ring, takes)| takes.filter(|_| able[ring]).map(|s| s + hops(ring))).collect()
     }
 
     /// Fine for the wanted heights strictly inside, s.
@@ -138,6 +168,17 @@ impl Costs<'_> {
         };
         inside.map(fine).sum()
     }
+}
+
+/// How far a ring's wall leans that stands between two slices, horizontally for a step up: by how much
+/// the ring that is most like it at the `other` one lies and runs elsewhere. Infinite where none is.
+fn lean(ring: &Ring, other: &Outline, height: f64) -> f64 {
+    let away = |to: &Ring| {
+        let wider = (ring.length - to.length).abs() / TAU;
+        (ring.middle.distance(to.middle) + wider) / height
+    };
+    let closed = other.rings.iter().filter(|to| ring.closed && to.closed);
+    closed.map(away).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

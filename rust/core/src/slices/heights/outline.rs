@@ -2,17 +2,34 @@
 
 use glam::DVec2;
 
-use crate::coil::DOT;
+use crate::coil::{DOT, Near, gap};
 use crate::slices::outlines::Loop;
 use crate::slices::tuning::STROKE;
 
-/// Length and smooth turning of a loop.
+/// What is asked of outlines; lengths in mm.
+#[derive(Debug, Clone, Copy)]
+pub struct Measure {
+    /// Diameter of a strand.
+    pub strand: f64,
+    /// Longest free end.
+    pub free_end: f64,
+    /// No ring of this length or a longer one is coiled.
+    pub roomy: f64,
+    /// Walls that come as near as this are near each other in the highest slab.
+    pub reach: f64,
+}
+
+/// Length, smooth turning and place of a loop.
 #[derive(Clone, Copy)]
 pub struct Ring {
     /// Its length, mm.
     pub length: f64,
     /// How far it turns without its corners, rad.
     pub turning: f64,
+    /// The mean of its points, mm.
+    pub middle: DVec2,
+    /// Whether its end joins its beginning.
+    pub closed: bool,
 }
 
 /// Length and smooth turning of a slice's loops.
@@ -20,6 +37,8 @@ pub struct Ring {
 pub struct Outline {
     /// The loops that are no dots, the shortest first.
     pub rings: Vec<Ring>,
+    /// Pairs of them of which the first is small enough for a coil, and which are near each other.
+    pub near: Vec<Near>,
     /// Length of all loops, mm.
     pub length: f64,
     /// Turning of all loops without their corners, rad.
@@ -27,21 +46,41 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// What loops tell, for strands of a diameter and a longest free end, mm.
-    pub fn new(loops: &[Loop], strand: f64, free_end: f64) -> Self {
-        let mut outline = Self { rings: Vec::new(), length: 0.0, turning: 0.0 };
+    /// What loops tell.
+    pub fn new(loops: &[Loop], measure: &Measure) -> Self {
+        let (mut length, mut turning, mut rings) = (0.0, 0.0, Vec::new());
         for l in loops {
-            let length = perimeter(l);
-            let turning = smooth_turning(l, STROKE * free_end);
-            outline.length += length;
-            outline.turning += turning;
-            if length > DOT * strand {
-                outline.rings.push(Ring { length, turning });
+            let ring = Ring {
+                length: perimeter(l),
+                turning: smooth_turning(l, STROKE * measure.free_end),
+                middle: l.points.iter().sum::<DVec2>() / l.points.len() as f64,
+                closed: l.closed,
+            };
+            length += ring.length;
+            turning += ring.turning;
+            if ring.length > DOT * measure.strand {
+                rings.push((ring, l));
             }
         }
-        outline.rings.sort_by(|a, b| a.length.total_cmp(&b.length));
-        outline
+        rings.sort_by(|a, b| a.0.length.total_cmp(&b.0.length));
+        let near = near(&rings, measure);
+        Self { rings: rings.into_iter().map(|ring| ring.0).collect(), near, length, turning }
     }
+}
+
+/// Pairs of rings, the shortest first, that are near each other; the first of each is small.
+fn near(rings: &[(Ring, &Loop)], measure: &Measure) -> Vec<Near> {
+    let small = rings.partition_point(|(ring, _)| ring.length < measure.roomy);
+    let mut found = Vec::new();
+    for (a, (_, one)) in rings.iter().enumerate().take(small) {
+        for (b, (_, two)) in rings.iter().enumerate().skip(a + 1) {
+            let gap = gap(&one.points, &two.points, two.closed, measure.reach);
+            if gap < measure.reach {
+                found.push(Near { walls: [a, b], gap });
+            }
+        }
+    }
+    found
 }
 
 fn perimeter(l: &Loop) -> f64 {

@@ -51,6 +51,12 @@ pub struct HeightParams {
     /// Where slabs are lower than elsewhere.
     #[serde(rename = "low_slabs_mm")]
     pub low_slabs: Option<LowSlabs>,
+    /// What a travel takes besides its way, s.
+    #[serde(rename = "hop_s")]
+    pub hop: f64,
+    /// Whether small rings may be coiled, which depends on how slabs are filled.
+    #[serde(skip)]
+    pub coils: bool,
     /// The axis that raises the head; None where it is as fast as the others.
     pub climb: Option<Climb>,
 }

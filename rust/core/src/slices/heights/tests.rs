@@ -75,10 +75,11 @@ fn the_chain_is_the_cheapest_of_all() {
         let found = cheapest_chain(&mesh, &head, &p, &heights, &wanted);
         let planes: Vec<Plane> = heights.iter().map(|&z| Plane { z, side: Side::Below }).collect();
         let costs = Costs {
+            head: &head,
             strokes: Strokes::new(&head, p.strand),
             params: &p,
             profile: Profile::new(&mesh, heights[0], height, STEP * p.free_end),
-            outlines: cut_map(&mesh, &planes, |loops| Outline::new(&loops, p.strand, p.free_end)),
+            outlines: cut_map(&mesh, &planes, |loops| Outline::new(&loops, &measure(&head, &p))),
             heights: &heights,
             wanted: &wanted,
         };

@@ -1,14 +1,15 @@
-//! Rings too small for a zigzag, whose walls are coiled.
+//! Walls of small rings that are coiled, alone or in groups.
 
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
-use crate::coil::{Coil, DOT, LEAN, wobble};
+use crate::coil::{Coil, LEAN, Pace, SmallWalls};
 use crate::geometry::curve::Curve;
 use crate::geometry::polygon;
+use crate::geometry::tour::tour;
 use crate::strand::Kind;
-use crate::stroke::Strokes;
+use crate::stroke::{SLACK, Strokes};
 use crate::wireframe::lay::begin::start;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::is_support;
@@ -16,43 +17,86 @@ use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::job::Job;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::tops::Top;
-use crate::wireframe::params::Pattern;
 use crate::wireframe::place::rim::Rim;
-use crate::wireframe::place::zigzag::{Placement, SLACK};
 
 /// Turns follow the contour to this part of the strand's diameter.
 const FOLLOW: f64 = 0.25;
 /// No turn has fewer corners.
 const FEWEST: f64 = 6.0;
 
-/// Coils the wall up to a contour, and gives what stands at its top. None where a zigzag serves as
-/// well, or the head cannot get round.
+/// Rings that stand so near each other that they are coiled in lifts, or one that stands alone.
+pub struct Group {
+    /// The numbers of their jobs.
+    pub jobs: Vec<usize>,
+    /// How near they come to each other at least, mm; infinite for one alone.
+    pub gap: f64,
+}
+
+/// Coils the walls of a group, lift by lift, back and forth through the group, and gives what stands at
+/// their tops by the numbers of their jobs. Nothing where the head cannot get round.
 pub fn coil(
     cx: &Context,
     journal: &mut Journal,
     top: &Top,
-    job: &Job,
+    jobs: &[Job],
     ground: &Ground,
-) -> Option<Rim> {
-    let wall = CoiledWall::new(cx, journal, top, job, ground)?;
-    let laps = wall.laps();
-    let (first, last) = (laps.first()?, laps.last()?);
+    group: &Group,
+) -> Vec<(usize, Rim)> {
+    let found = group
+        .jobs
+        .iter()
+        .filter_map(|&job| Wall::new(cx, journal, top, &jobs[job], ground).map(|wall| (job, wall)));
+    let (numbers, mut walls): (Vec<usize>, Vec<Wall>) = found.unzip();
+    // Walls of one group rise in step.
+    let turns = walls.iter().map(|wall| wall.turns).max().unwrap_or(1);
+    for wall in &mut walls {
+        wall.turns = turns;
+    }
+    let middles: Vec<DVec2> = walls.iter().map(|wall| middle(&wall.lower)).collect();
+    let way = tour(journal.place(), &middles);
+    let laps: Vec<Vec<Vec<DVec3>>> = way.iter().map(|&i| walls[i].laps()).collect();
     let is_clear =
         |lap: &[DVec3]| !lap.windows(2).any(|ends| journal.obstacles.is_barred(ends[0], ends[1]));
-    if !is_clear(first) || !is_clear(last) {
-        return None;
+    let are_clear = |laps: &Vec<Vec<DVec3>>| {
+        [laps.first(), laps.last()].into_iter().flatten().all(|lap| is_clear(lap))
+    };
+    let small = small_walls(cx, walls.first().map_or(0.0, Wall::height));
+    let clearance = |rise: f64| cx.head.clearance(rise) * SLACK;
+    let at_once = small.turns_at_once(turns, group.gap, clearance);
+    let (Some(at_once), true) = (at_once, laps.iter().all(are_clear)) else { return Vec::new() };
+    for (lift, begin) in (0..turns).step_by(at_once).enumerate() {
+        let next = begin + at_once;
+        // The level turn ends the last lift.
+        let end = if next < turns { next } else { turns + 1 };
+        for k in 0..way.len() {
+            let k = if lift % 2 == 0 { k } else { way.len() - 1 - k };
+            journal.coil(&laps[k][begin..end], walls[way[k]].kind);
+        }
     }
-    let support = is_support(cx, top, job.curve);
-    let kind = if support { Kind::Support } else { Kind::Contour };
-    journal.coil(&laps, kind);
-    let mut points = last.clone();
-    points.pop();
-    Some(Rim { points, closed: true, printed: true, held: true, support, ..Rim::default() })
+    let rim = |(k, laps): (usize, Vec<Vec<DVec3>>)| {
+        let mut points = laps.last().cloned().unwrap_or_default();
+        points.pop();
+        let support = walls[way[k]].kind == Kind::Support;
+        let rim =
+            Rim { points, closed: true, printed: true, held: true, support, ..Rim::default() };
+        (numbers[way[k]], rim)
+    };
+    laps.into_iter().enumerate().map(rim).collect()
+}
+
+/// What small rings' walls of some height, mm, go by.
+pub fn small_walls(cx: &Context, height: f64) -> SmallWalls {
+    let times = &cx.p.times;
+    let pace =
+        Pace { speed: times.print_speed, pause: times.pause, hop: times.hop, climb: times.climb };
+    let spacing = Strokes::new(cx.head, cx.p.strand).run(height);
+    SmallWalls { height, spacing, strand: cx.p.strand, pace }
 }
 
 /// A wall between a printed ring and the contour above it.
-struct CoiledWall<'a> {
-    lower: Curve,
+pub struct Wall<'a> {
+    /// The ring below, which runs as the contour does.
+    pub lower: Curve,
     upper: &'a Curve,
     /// Arc lengths at which both begin, mm.
     begins: [f64; 2],
@@ -61,66 +105,60 @@ struct CoiledWall<'a> {
     /// Where the corners of a turn lie, as shares of it, ascending from 0.
     shares: Vec<f64>,
     turns: usize,
+    kind: Kind,
 }
 
-impl<'a> CoiledWall<'a> {
-    /// The wall of a job, if it is worth a coil.
-    fn new(
+impl<'a> Wall<'a> {
+    /// The wall of a job, if it could be coiled and that is worth it.
+    pub fn new(
         cx: &Context,
         journal: &Journal,
         top: &'a Top,
         job: &Job,
         ground: &Ground,
     ) -> Option<Self> {
-        let plain = cx.p.pattern == Pattern::Zigzag && cx.p.placement == Placement::Optimal;
         let strip = &cx.sliced.strips[top.slab][job.strip];
         let is_tube = strip.lower.len() == 1 && strip.upper.len() == 1;
-        if !plain || !is_tube || cx.layered.slab(top.slab).is_some() {
-            return None;
-        }
-        let upper = top.curves[job.curve].as_ref().filter(|curve| curve.is_closed())?;
+        let upper = top.curves[job.curve].as_ref().filter(|curve| is_tube && curve.is_closed())?;
         let [carrier] = job.carriers[..] else { return None };
         let rim = ground.rims[carrier].as_ref()?;
         if !rim.printed || !rim.closed || !rim.gaps.is_empty() {
             return None;
         }
         let z = rim.points.first()?.z;
-        let height = top.z - z;
-        let lengths = |lower: &Curve| [lower.length(), upper.length()];
-        let strokes = Strokes::new(cx.head, cx.p.strand);
-        let spacing = strokes.run(height);
+        let small = small_walls(cx, top.z - z);
         let plan: Vec<DVec2> = rim.points.iter().map(|p| p.truncate()).collect();
-        let lower = alongside(plan, upper)?;
-        let [short, long] = {
-            let [a, b] = lengths(&lower);
-            [a.min(b), a.max(b)]
-        };
-        let fine = wobble(long, spacing);
-        let is_near = !top.walls.is_roomy(job.curve, cx.head.clearance(height) * SLACK);
-        if height <= 0.0 || short < DOT * cx.p.strand || fine == 0.0 || is_near {
+        let is_small = |length: f64| small.height > 0.0 && small.coiled(length, 0.0).is_some();
+        if !is_small(upper.length()) || !is_small(polygon::length(&plan, true)) {
             return None;
         }
-        let middle = |curve: &Curve| {
-            let points = curve.points();
-            points.iter().sum::<DVec2>() / points.len() as f64
-        };
+        let lower = alongside(plan, upper)?;
         let begin = start(journal, upper, &[rim]);
         let shift = middle(upper) - middle(&lower);
         let begins = [lower.nearest(upper.position(begin) - shift).s, begin];
         let shares = shares(upper, begin, cx.p.strand);
-        let mut wall = Self { lower, upper, begins, heights: [z, top.z], shares, turns: 1 };
-        let lean = wall.shares.iter().map(|&share| {
-            let [low, high] = wall.ends(share);
-            low.distance(high) / height
+        let kind = if is_support(cx, top, job.curve) { Kind::Support } else { Kind::Contour };
+        let heights = [z, top.z];
+        let mut wall = Self { lower, upper, begins, heights, shares, turns: 1, kind };
+        let lean = wall.lean();
+        let lengths = [wall.lower.length(), upper.length()];
+        wall.turns = Coil { height: small.height, strand: small.strand, lean }.turns();
+        let is_worth = lengths.into_iter().all(|length| small.coiled(length, lean).is_some());
+        (lean <= LEAN && is_worth).then_some(wall)
+    }
+
+    /// Its height, mm.
+    fn height(&self) -> f64 {
+        self.heights[1] - self.heights[0]
+    }
+
+    /// How far it leans, horizontally for a step up.
+    fn lean(&self) -> f64 {
+        let leans = self.shares.iter().map(|&share| {
+            let [low, high] = self.ends(share);
+            low.distance(high) / self.height()
         });
-        let lean = lean.fold(0.0, f64::max);
-        let coil = Coil { height, strand: cx.p.strand, lean };
-        wall.turns = coil.turns();
-        let times = &cx.p.times;
-        let stroke = (height + height.hypot(spacing)) / times.print_speed;
-        let posts = (long / spacing).floor().max(1.0) * (times.pause + times.hop + stroke);
-        let zigzag = posts + long / times.print_speed + fine;
-        (lean <= LEAN && coil.takes(long, times.print_speed) < zigzag).then_some(wall)
+        leans.fold(0.0, f64::max)
     }
 
     /// The places of both rings at a share of a turn, mm.
@@ -140,6 +178,11 @@ impl<'a> CoiledWall<'a> {
         let all = || self.shares.iter().copied().chain([1.0]);
         (0..=self.turns).map(|lap| all().map(|share| point(lap, share)).collect()).collect()
     }
+}
+
+fn middle(curve: &Curve) -> DVec2 {
+    let points = curve.points();
+    points.iter().sum::<DVec2>() / points.len() as f64
 }
 
 /// Where the corners of a turn lie along a contour, as shares of it from `begin` on.

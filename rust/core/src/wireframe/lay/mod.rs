@@ -8,6 +8,7 @@ pub mod bed;
 pub mod begin;
 pub mod carry;
 pub mod coil;
+pub mod coils;
 pub mod context;
 pub mod contour;
 pub mod decks;

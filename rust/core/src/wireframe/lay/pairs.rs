@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::geometry::curve::Curve;
 use crate::geometry::polygon;
 use crate::strand::Kind;
-use crate::stroke::Strokes;
+use crate::stroke::{SLACK, Strokes};
 use crate::wireframe::lay::begin::{going_on, start};
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::is_support;
@@ -14,11 +14,10 @@ use crate::wireframe::lay::job::Job;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::strokes::zigzag_strokes;
 use crate::wireframe::lay::tops::Top;
-use crate::wireframe::params::Pattern;
 use crate::wireframe::place::posts::{Post, candidates};
 use crate::wireframe::place::rim::Rim;
 use crate::wireframe::place::weave::{Place, WeaveParams, weave};
-use crate::wireframe::place::zigzag::{Placement, SLACK, SPARE, ZigzagStep};
+use crate::wireframe::place::zigzag::{SPARE, ZigzagStep};
 
 /// Two contours are one double wall where this share of each is near the other.
 const SHARE: f64 = 0.5;
@@ -31,8 +30,7 @@ const PITCH: f64 = 0.25;
 /// For each job, the one with which it makes a double wall.
 pub fn pairs(cx: &Context, top: &Top, jobs: &[Job], ground: &Ground) -> Vec<Option<usize>> {
     let mut partner = vec![None; jobs.len()];
-    let plain = cx.p.pattern == Pattern::Zigzag && cx.p.placement == Placement::Optimal;
-    if !plain || !cx.guide.is_empty() || cx.layered.slab(top.slab).is_some() {
+    if !cx.p.has_forms() || !cx.guide.is_empty() || cx.layered.slab(top.slab).is_some() {
         return partner;
     }
     let height = top.z - cx.sliced.levels[top.slab].z;

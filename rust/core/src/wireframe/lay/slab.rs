@@ -9,6 +9,7 @@ use crate::wireframe::frame::Reason;
 use crate::wireframe::lay::bare_rims::print_crowded_rims;
 use crate::wireframe::lay::carry::{Carried, carry, is_far};
 use crate::wireframe::lay::coil::coil;
+use crate::wireframe::lay::coils::Coils;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::{is_support, ring, rings};
 use crate::wireframe::lay::faces::{close, give_up};
@@ -54,6 +55,7 @@ pub fn slab_in(
     let mut ranks = ranks(cx, journal, order, top, jobs, ground).map(Vec::into_iter);
     let mut order = Waiting::new(jobs.iter().map(|job| plans(job, ground)).collect());
     let pairs = pairs(cx, top, jobs, ground);
+    let mut coils = Coils::new(cx, journal, top, jobs, ground, &pairs);
     let mut done = vec![false; jobs.len()];
     let mut turns = 0;
     loop {
@@ -66,11 +68,18 @@ pub fn slab_in(
             continue;
         }
         turns += 1;
-        if pairs[next].is_none()
-            && let Some(rim) = coil(cx, journal, top, &jobs[next], ground)
-        {
-            printed.rims[jobs[next].curve] = Some(rim);
-            continue;
+        if let Some(group) = coils.group(next) {
+            let rims = coil(cx, journal, top, jobs, ground, group);
+            if rims.is_empty() {
+                coils.give_up(next);
+            } else {
+                for (job, rim) in rims {
+                    order.take(job);
+                    done[job] = true;
+                    printed.rims[jobs[job].curve] = Some(rim);
+                }
+                continue;
+            }
         }
         let other = pairs[next].filter(|&other| !done[other]);
         let both = other.and_then(|other| {

@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::geometry::curve::Curve;
 use crate::head::Head;
-use crate::stroke::Strokes;
+use crate::stroke::{SLACK, Strokes};
 use crate::wireframe::place::guide::{Kept, merged};
 use crate::wireframe::place::posts::{
     Candidate, Post, PostParams, candidates, even_spacing, leads_down, place, place_by_averaging,
@@ -67,8 +67,6 @@ pub struct ZigzagInput<'a> {
     pub kept: &'a [Kept],
 }
 
-/// Posts keep this much more than the head's bare clearance, for rounding in the written file.
-pub const SLACK: f64 = 1.01;
 /// Posts aim at a little more than their least spacing, so that each finds a place.
 pub const SPARE: f64 = 1.03;
 /// Where two walls must share the room, posts stand this much further apart than the least, so

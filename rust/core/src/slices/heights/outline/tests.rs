@@ -2,6 +2,16 @@
 
 use super::*;
 
+/// What is asked of the paper's strands.
+const PAPER: Measure = Measure { strand: 0.7, free_end: 20.0, roomy: 40.0, reach: 8.0 };
+
+/// A round of so many corners about a place.
+fn around(count: u32, radius: f64, middle: DVec2) -> Loop {
+    let turn = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(count);
+    let points = (0..count).map(|i| middle + DVec2::from_angle(turn(i)) * radius).collect();
+    Loop { points, faces: Vec::new(), closed: true }
+}
+
 #[test]
 fn a_slight_turn_is_the_angle_between_its_strokes() {
     for degrees in 0..180 {
@@ -14,32 +24,41 @@ fn a_slight_turn_is_the_angle_between_its_strokes() {
 
 #[test]
 fn an_outline_knows_its_length_and_its_turning_without_its_corners() {
-    let around = |count: u32, radius: f64| Loop {
-        points: (0..count)
-            .map(|i| {
-                DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(count)) * radius
-            })
-            .collect(),
-        faces: Vec::new(),
-        closed: true,
-    };
-    let circle = Outline::new(&[around(64, 20.0)], 0.7, 20.0);
+    let around = |count: u32, radius: f64| around(count, radius, DVec2::new(3.0, 4.0));
+    let circle = Outline::new(&[around(64, 20.0)], &PAPER);
     assert!((circle.length - std::f64::consts::TAU * 20.0).abs() < 0.2);
     assert!((circle.turning - std::f64::consts::TAU).abs() < 0.25);
-    let square = Outline::new(&[around(4, 20.0)], 0.7, 20.0);
+    let square = Outline::new(&[around(4, 20.0)], &PAPER);
     assert!((square.length - 4.0 * 20.0 * std::f64::consts::SQRT_2).abs() < 1e-9);
     assert_eq!(square.turning, 0.0);
     // A dot is no loop that could wobble.
-    assert!(Outline::new(&[around(8, 0.5)], 0.7, 20.0).rings.is_empty());
+    assert!(Outline::new(&[around(8, 0.5)], &PAPER).rings.is_empty());
+    let ring = circle.rings[0];
+    assert!(ring.closed && ring.middle.distance(DVec2::new(3.0, 4.0)) < 1e-12);
+}
+
+#[test]
+fn small_rings_know_what_is_near_them() {
+    let at = |x: f64, radius: f64| around(64, radius, DVec2::new(x, 0.0));
+    // Two small rings 2 mm apart, a third one 9 mm on, and a large one 5 mm beside that.
+    let loops = [at(0.0, 3.0), at(7.0, 2.0), at(36.0, 10.0), at(20.0, 1.0)];
+    let outline = Outline::new(&loops, &PAPER);
+    let lengths: Vec<f64> = outline.rings.iter().map(|ring| ring.length.round()).collect();
+    assert_eq!(lengths, [6.0, 13.0, 19.0, 63.0]);
+    let near: Vec<([usize; 2], f64)> = outline.near.iter().map(|n| (n.walls, n.gap)).collect();
+    assert_eq!(near.iter().map(|n| n.0).collect::<Vec<_>>(), [[0, 3], [1, 2]]);
+    assert!((near[0].1 - 5.0).abs() < 1e-9 && (near[1].1 - 2.0).abs() < 1e-9, "{near:?}");
+    let roomy = Measure { roomy: 0.0, ..PAPER };
+    assert!(Outline::new(&loops, &roomy).near.is_empty(), "nothing is small");
 }
 
 #[test]
 fn an_open_loop_ends_where_it_ends() {
     let corners = [(0.0, 0.0), (30.0, 0.0), (30.0, 40.0)].map(DVec2::from);
     let part = |closed| Loop { points: corners.to_vec(), faces: Vec::new(), closed };
-    assert_eq!(Outline::new(&[part(false)], 0.7, 20.0).length, 70.0);
-    assert_eq!(Outline::new(&[part(true)], 0.7, 20.0).length, 120.0);
-    let both = Outline::new(&[part(true), part(false)], 0.7, 20.0);
+    assert_eq!(Outline::new(&[part(false)], &PAPER).length, 70.0);
+    assert_eq!(Outline::new(&[part(true)], &PAPER).length, 120.0);
+    let both = Outline::new(&[part(true), part(false)], &PAPER);
     let lengths: Vec<f64> = both.rings.iter().map(|ring| ring.length).collect();
     assert_eq!((both.length, lengths), (190.0, vec![70.0, 120.0]));
 }
@@ -51,7 +70,7 @@ fn turning_is_measured_between_strokes_that_are_long_enough() {
         (0..40).map(|i| DVec2::new(f64::from(i), 0.2 * f64::from(i % 2))).collect();
     let of = |points: &[DVec2], free_end: f64| {
         let l = Loop { points: points.to_vec(), faces: Vec::new(), closed: false };
-        Outline::new(&[l], 0.7, free_end).turning
+        Outline::new(&[l], &Measure { free_end, ..PAPER }).turning
     };
     assert!(of(&noisy, 20.0) < 1e-9);
     assert!(of(&noisy, 10.0) > 10.0);

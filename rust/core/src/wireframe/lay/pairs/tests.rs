@@ -7,6 +7,8 @@ use glam::DVec2;
 use super::*;
 use crate::contours::Contour;
 use crate::wireframe::lay::scene::{Scene, closed, curve, rim, square};
+use crate::wireframe::params::Pattern;
+use crate::wireframe::place::zigzag::Placement;
 
 /// A square around the origin as a hole in contour 0.
 fn hole(half: f64) -> Contour {

@@ -11,7 +11,8 @@ fn strand(from: f64, to: f64, floating: bool) -> Strand {
 }
 
 const STRAND: f64 = 0.7;
-const TIMES: Times = Times { print_speed: 30.0, travel_speed: 150.0, pause: 1.0, hop: 0.25 };
+const TIMES: Times =
+    Times { print_speed: 30.0, travel_speed: 150.0, pause: 1.0, hop: 0.25, climb: None };
 
 /// What entries cost on the paper's printer.
 fn costs(from: Option<f64>, entries: &Entries) -> Cost {
