@@ -54,6 +54,7 @@ __all__ = [
     "holding_pause",
     "insert_progress",
     "lattice_toolpath",
+    "memory_budget",
     "modes_after",
     "nearest",
     "nusselt_across",
