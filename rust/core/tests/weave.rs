@@ -44,7 +44,8 @@ fn rings(outer: f64, gap: f64, height: f64) -> (Vec<Place>, Home) {
     }
     places.sort_by(|a, b| a.along.total_cmp(&b.along).then(a.wall.cmp(&b.wall)));
     let length = walls[0].length();
-    (places, (length, walls.map(|wall| wall.station(0.0, wall.length()))))
+    let ends = walls.map(|wall| wall.station(0.0, wall.length()));
+    (places, Home { length, ends, closed: true })
 }
 
 #[test]
@@ -60,17 +61,13 @@ fn two_rings_become_one_zigzag_that_visits_both_by_turns() {
         let turns = posts.windows(2).filter(|pair| pair[0].wall != pair[1].wall).count();
         assert!(turns as f64 >= 0.8 * (posts.len() - 1) as f64, "{turns} of {}", posts.len());
         // As many posts as runs fit along both walls, hardly fewer.
-        let most = home_length(&home) / (p.run * p.run - gap * gap).sqrt();
+        let most = home.length / (p.run * p.run - gap * gap).sqrt();
         assert!(posts.len() as f64 > 0.75 * most, "{} of {most}", posts.len());
     }
 }
 
-fn home_length(home: &Home) -> f64 {
-    home.0
-}
-
-/// What a closed weave costs, straight from its definition.
-fn cost(places: &[Place], way: &[usize], (length, ends): &Home, p: &WeaveParams) -> Option<f64> {
+/// What a weave costs, straight from its definition.
+fn cost(places: &[Place], way: &[usize], home: &Home, p: &WeaveParams) -> Option<f64> {
     let post = |i: usize| &places[i].candidate.post;
     let unit = p.run * p.chord_error * p.chord_error;
     let chord = |o: usize, to: &Station| {
@@ -96,14 +93,15 @@ fn cost(places: &[Place], way: &[usize], (length, ends): &Home, p: &WeaveParams)
         sum += chord(own, &places[j].candidate.station);
     }
     let (&first, &last) = (way.first()?, way.last()?);
-    if way.len() < 2 || !leads_down(&p.strokes, post(first), post(last)) {
+    if way.len() < 2 || home.closed && !leads_down(&p.strokes, post(first), post(last)) {
         return None;
     }
-    for (wall, end) in ends.iter().enumerate() {
+    for (wall, end) in home.ends.iter().enumerate() {
         let own = way.iter().rev().copied().find(|&o| places[o].wall == wall)?;
         sum += chord(own, end);
     }
-    Some(sum + EVEN * ((length - places[last].along) / p.run - 1.0).powi(2))
+    let way_home = if home.closed { 1.0 } else { 0.0 };
+    Some(sum + EVEN * ((home.length - places[last].along) / p.run - way_home).powi(2))
 }
 
 #[test]
@@ -128,7 +126,8 @@ fn the_weave_is_the_cheapest_of_all() {
         };
         let places: Vec<Place> = (0..=count).map(place).collect();
         let ends = [0, 1].map(|i| walls[i].station(0.0, 1.05 * walls[i].length()));
-        let (home, p) = ((walls[0].length(), ends), params(height));
+        let (length, closed) = (walls[0].length(), random.unit() < 0.5);
+        let (home, p) = (Home { length, ends, closed }, params(height));
         let widest = 1.8 * p.run;
         let within = |way: &[usize]| {
             let strokes = way.windows(2).all(|w| places[w[1]].along - places[w[0]].along <= widest);

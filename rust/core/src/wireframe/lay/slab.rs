@@ -13,6 +13,7 @@ use crate::wireframe::lay::coils::Coils;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::{is_support, ring, rings};
 use crate::wireframe::lay::faces::{close, give_up};
+use crate::wireframe::lay::folded::folded;
 use crate::wireframe::lay::ground::{Ground, Standing};
 use crate::wireframe::lay::hang::{Hanging, hang, want_columns};
 use crate::wireframe::lay::job::{Job, plans};
@@ -91,10 +92,15 @@ pub fn slab_in(
                 (&jobs[job], standing)
             }))
         });
-        let is_woven = both.is_some();
-        let stand = match both {
-            Some(both) => Vec::from(both),
-            None => vec![(&jobs[next], posts_of(cx, journal, top, &jobs[next], ground))],
+        let thin = match (&both, pairs[next]) {
+            (None, None) => folded(cx, journal, top, &jobs[next], ground),
+            _ => None,
+        };
+        let is_woven = both.is_some() || thin.is_some();
+        let stand = match (both, thin) {
+            (Some(both), _) => Vec::from(both),
+            (None, Some(thin)) => vec![(&jobs[next], Some(thin))],
+            (None, None) => vec![(&jobs[next], posts_of(cx, journal, top, &jobs[next], ground))],
         };
         // The ring on which the head is comes first.
         for (job, standing) in stand.into_iter().rev() {

@@ -1,5 +1,6 @@
 //! Where the posts of a contour stand.
 
+pub mod fold;
 pub mod gaps;
 pub mod guide;
 pub mod posts;

@@ -40,11 +40,19 @@ pub struct WeaveParams {
     pub strokes: Strokes,
 }
 
-/// Where closed walls return: how far along that is, mm, and each wall's first place once round.
-pub type Home = (f64, [Station; 2]);
+/// Where the walls end.
+#[derive(Debug, Clone, Copy)]
+pub struct Home {
+    /// How far along both walls that is, mm.
+    pub length: f64,
+    /// Each wall's end: where it is closed, its first place once round.
+    pub ends: [Station; 2],
+    /// Whether the walls are closed.
+    pub closed: bool,
+}
 
 /// The numbers of the places of the cheapest weave, from the first place on; none where no weave
-/// has two posts on each wall. `places` ascend along the walls, which return `home`.
+/// has two posts on each wall. `places` ascend along the walls, which end at `home`.
 #[must_use]
 pub fn weave(places: &[Place], home: &Home, p: &WeaveParams) -> Vec<usize> {
     [WIDEST * p.run, 2.0 * WIDEST * p.run]
@@ -226,14 +234,14 @@ impl<'a> Table<'a> {
         let mut best: Option<(f64, (usize, usize))> = None;
         for j in (1..self.places.len()).rev() {
             let Row { low, end, .. } = self.rows[j];
-            let Some(lap) = lap(&self.places[0], &self.places[j], home.0, self.p) else { continue };
+            let Some(lap) = lap(&self.places[0], &self.places[j], home, self.p) else { continue };
             for slot in low.max(1)..end {
                 let cost = self.costs[self.rows[j].at(slot)] + lap;
                 if best.is_some_and(|best| best.0 <= cost) || cost.is_infinite() {
                     continue;
                 }
                 let chords = [(self.places[j].wall, self.slot(j)), (1 - self.places[j].wall, slot)]
-                    .map(|(wall, slot)| chord(self.place(wall, slot), &home.1[wall], self.p));
+                    .map(|(wall, slot)| chord(self.place(wall, slot), &home.ends[wall], self.p));
                 let cost = cost + chords[0] + chords[1];
                 if best.is_none_or(|best| cost < best.0) {
                     best = Some((cost, (j, slot)));
@@ -277,12 +285,15 @@ fn uneven(from: &Place, to: &Place, p: &WeaveParams) -> f64 {
     EVEN * uneven * uneven + close(&p.strokes, way, &to.candidate.post)
 }
 
-/// Cost of the way from the last post of a closed weave to its first one, but for the chords; None
-/// where it is barred.
+/// Cost of the way from the last post of a weave to where the walls end, but for the chords: to its
+/// first post, where they are closed. None where that is barred.
 ///
 /// The first post on the other wall is not known to a state: for its chord, its first place stands.
-fn lap(first: &Place, last: &Place, length: f64, p: &WeaveParams) -> Option<f64> {
-    let rest = (length - last.along) / p.run - 1.0;
+fn lap(first: &Place, last: &Place, home: &Home, p: &WeaveParams) -> Option<f64> {
+    let runs = (home.length - last.along) / p.run;
+    if !home.closed {
+        return Some(EVEN * runs * runs);
+    }
     let clear = leads_down(&p.strokes, &first.candidate.post, &last.candidate.post);
-    clear.then_some(EVEN * rest * rest)
+    clear.then_some(EVEN * (runs - 1.0).powi(2))
 }

@@ -2,12 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use glam::DVec2;
-
 use super::*;
 use crate::contours::Contour;
 use crate::wireframe::lay::scene::{Scene, closed, curve, rim, square};
 use crate::wireframe::params::Pattern;
+use crate::wireframe::place::rim::Rim;
 use crate::wireframe::place::zigzag::Placement;
 
 /// A square around the origin as a hole in contour 0.
@@ -55,25 +54,6 @@ fn only_plain_zigzags_placed_at_their_best_are_woven() {
     let mut paper = scene();
     paper.printer.wire.placement = Placement::Paper;
     assert!(paired(&scene(), true) && !paired(&peaks, true) && !paired(&paper, true));
-}
-
-#[test]
-fn the_share_near_another_curve_is_counted_along_it() {
-    // Of a square's four sides, of 40 mm each, one lies 3 mm from a long wall.
-    let own = curve(&square(20.0));
-    let wall = |x: f64| {
-        let corners = [(x, -90.0), (x + 40.0, -90.0), (x + 40.0, 90.0), (x, 90.0)];
-        curve(&closed(corners.map(DVec2::from).to_vec()))
-    };
-    for (x, reach, share) in [(23.0, 3.5, 0.25), (23.0, 2.5, 0.0), (23.0, 23.1, 0.75 - 0.25)] {
-        let found = share_near(&own, &wall(x), reach);
-        // Within 23.1 mm lie that side, and half of the two beside it.
-        assert!((found - share).abs() < 0.05, "{found} is not {share}");
-    }
-    assert_eq!(share_near(&own, &own, 0.1), 1.0);
-    let open = Curve::new(&square(20.0).points, false).unwrap();
-    assert_eq!(share_near(&open, &own, 5.0), 0.0);
-    assert_eq!(share_near(&own, &open, 5.0), 0.0);
 }
 
 #[test]

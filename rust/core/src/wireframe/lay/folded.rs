@@ -1,0 +1,39 @@
+//! Thin contours, as of plates and ribs: their two sides are woven as two walls are.
+
+use crate::wireframe::lay::begin::going_on;
+use crate::wireframe::lay::context::Context;
+use crate::wireframe::lay::contour::is_support;
+use crate::wireframe::lay::ground::{Ground, Standing};
+use crate::wireframe::lay::job::Job;
+use crate::wireframe::lay::journal::Journal;
+use crate::wireframe::lay::tops::Top;
+use crate::wireframe::lay::weave::{Wall, reach, rim_of, standing, weave_up};
+use crate::wireframe::place::fold::{sides, tips};
+
+/// Weaves the two sides of a thin contour, from the tip where the head is to the other one; none where
+/// a contour is not thin, or no weave is to be had.
+pub fn folded(
+    cx: &Context,
+    journal: &mut Journal,
+    top: &Top,
+    job: &Job,
+    ground: &Ground,
+) -> Option<Standing> {
+    let reach = reach(cx, top)?;
+    let curve = top.curves[job.curve].as_ref().filter(|_| !is_support(cx, top, job.curve))?;
+    let rim = rim_of(job, ground)?;
+    let tips = tips(curve, reach)?;
+    let at = journal.place();
+    let away = |tip: f64| curve.position(tip).distance_squared(at);
+    let [near, far] = if away(tips[1]) < away(tips[0]) { [tips[1], tips[0]] } else { tips };
+    // A strand that ended beside the tip is gone on from.
+    let from = going_on(journal, &[rim]);
+    let from = from.filter(|from| from.truncate().distance(curve.position(near)) < reach);
+    let begin = from.map_or(near, |from| curve.nearest(from.truncate()).s);
+    let [one, other] = sides(curve, [begin, far], reach)?;
+    let walls = [&one, &other].map(|curve| Wall { curve, rim, begin: 0.0 });
+    let posts = weave_up(cx, journal, top.z, &walls, from)?.concat();
+    let standing = standing(top, job.curve, curve.position(begin), posts);
+    journal.note_posts(top.slab as u32, top.contour(job.curve) as u32, &standing.posts);
+    (!standing.posts.is_empty()).then_some(standing)
+}
