@@ -30,6 +30,10 @@ G1 X1.2.3 | G1 X- | G1 U5 | G1 A5 | G0 H1 | G1 X1 S1 | G53 | G2 X0 Y0 | G1 X1 !
 G1 X99999999999 | $H | $J=G91 X10 | ~ | ? | :G28 | <html> | {if} | #1=5 | O100 | G90 G1 Z0
 G91 G1 Z-5 | M83 G1 Z0 | G21 G0 Z0 | G17 G2 X1 I1 | G4 P1 G1 Z0 | T0 G1 Z0 | G28 X G1 Z0
 M104 S200 G1 Z0 | M220 S100 G1 Z0 | G28 R0 | G28 H | G28 C
+M208 Z-5 S1 | M303 E0 S200 | M118 A1 P0 action:pause | RESPOND TYPE=command MSG="action:cancel"
+%G1 Z0 | %G28 | /G1 Z0 | (a) G1 Z{2} | N10 G1 Z{0}*99 | G65 P100 | M37 P"x.g" | G92.2
+var z = 0 | while iterations < 5 | {% set z = 0 %} | SKEW_PROFILE LOAD=a | TESTZ Z=-1
+M564 S0 G1 Z0 | BED_MESH_CLEAR
 """.replace("\n", "|")
 COMMANDS = [command.strip() for command in MOVING.split("|") if command.strip()]
 #: They move nothing, wherever they stand.
@@ -41,7 +45,8 @@ M302 S160 | M220 S100 | M221 S100 | SET_PRESSURE_ADVANCE ADVANCE=0.04
 SET_VELOCITY_LIMIT ACCEL=3000 | SET_FAN_SPEED FAN=a SPEED=1 | EXCLUDE_OBJECT_START NAME=a
 EXCLUDE_OBJECT_END NAME=a | SET_PIN PIN=air VALUE=1 | RESPOND MSG="G1 Z0"
 SET_DISPLAY_TEXT MSG=hot | SET_PRINT_STATS_INFO CURRENT_LAYER=1 | G21 | G92 E0 | T0 | (G28)
-; G28 | %
+; G28 | % | M208 S0.2 F300 | G94 | M118 A1 action:notification Layer | G60 S0 | m105 | g4 p5
+RESPOND TYPE=command MSG="action:prompt_begin Pause" | M211 S0 | M564 H0 | SAVE_GCODE_STATE NAME=a
 """.replace("\n", "|")
 few, some = settings(max_examples=5), settings(max_examples=25)
 printers = st.sampled_from(PRINTERS)

@@ -118,6 +118,15 @@ def test_a_file_that_is_too_much_to_judge_is_named(command, cube):
     assert done.stderr.startswith(f"wireprint: error: {target}: ")
 
 
+@pytest.mark.parametrize("memory", ["much", "-4G", "4X", "0"])
+def test_a_budget_that_is_no_amount_is_refused(memory, cube):
+    done = wireprint("info", cube, memory=memory)
+    assert done.returncode == 3
+    assert f'WIREPRINT_MEMORY is "{memory}"' in done.stderr
+    assert "WIREPRINT_MEMORY=4G" in done.stderr
+    assert wireprint("info", cube, memory="").returncode == 0
+
+
 def test_arrays_are_held_to_the_budget_too():
     code = (
         "import numpy as np, wireprint\n"

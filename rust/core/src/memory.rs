@@ -15,12 +15,25 @@ const SHARE: f64 = 0.75;
 const UNKNOWN: u64 = 2 << 30;
 
 /// The budget of a run, bytes.
-#[must_use]
-pub fn budget() -> u64 {
-    static BUDGET: OnceLock<u64> = OnceLock::new();
-    *BUDGET.get_or_init(|| {
-        let given = std::env::var(VARIABLE).ok().and_then(|text| parsed(&text));
-        given.unwrap_or_else(allowed)
+///
+/// # Errors
+/// [`CoreError::Memory`] where the variable is set to what is no amount.
+pub fn budget() -> Result<u64> {
+    static BUDGET: OnceLock<std::result::Result<u64, String>> = OnceLock::new();
+    let found = BUDGET.get_or_init(|| match std::env::var_os(VARIABLE) {
+        Some(text) if !text.is_empty() => given(&text.to_string_lossy()),
+        _ => Ok(allowed()),
+    });
+    found.clone().map_err(CoreError::Memory)
+}
+
+/// The budget that the variable sets.
+fn given(text: &str) -> std::result::Result<u64, String> {
+    parsed(text).ok_or_else(|| {
+        format!(
+            "{VARIABLE} is {text:?}; it must be a number of bytes, or one with K, M, G or T behind \
+             it, such as {VARIABLE}=4G"
+        )
     })
 }
 
@@ -29,9 +42,9 @@ pub fn budget() -> u64 {
 /// `what` says what the memory is for: "1 000 000 triangles".
 ///
 /// # Errors
-/// [`CoreError::Memory`] where `bytes` exceed the budget.
+/// [`CoreError::Memory`] where `bytes` exceed the budget, or as [`budget`].
 pub fn claim(bytes: u64, what: impl FnOnce() -> String) -> Result<()> {
-    within(budget(), bytes, what)
+    within(budget()?, bytes, what)
 }
 
 fn within(budget: u64, bytes: u64, what: impl FnOnce() -> String) -> Result<()> {
@@ -86,6 +99,7 @@ mod tests {
         assert_eq!(parsed("3m"), Some(3 << 20));
         for nonsense in ["", "much", "-4G", "inf", "nan", "0"] {
             assert_eq!(parsed(nonsense), None, "{nonsense:?}");
+            assert!(given(nonsense).unwrap_err().contains("WIREPRINT_MEMORY=4G"));
         }
     }
 
@@ -99,6 +113,6 @@ mod tests {
 
     #[test]
     fn some_memory_is_always_allowed() {
-        assert!(budget() > 0);
+        assert!(budget().unwrap() > 0);
     }
 }

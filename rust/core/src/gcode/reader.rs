@@ -236,7 +236,9 @@ impl<'a> Cursor<'a> {
     /// A line that holds no letter: blank, a comment, or garbage.
     fn without_words(&self, line: &'a [u8]) -> Option<Command<'a>> {
         match self.rest.split_first() {
-            None | Some((b'*' | b'%', _)) => None,
+            None | Some((b'*', _)) => None,
+            // It begins and ends files; Klipper looks for a command behind it.
+            Some((b'%', rest)) if rest.trim_ascii().is_empty() => None,
             Some((b';', text)) => Some(Command::Comment(text.trim_ascii())),
             Some(_) => Some(Command::Garbage(line)),
         }

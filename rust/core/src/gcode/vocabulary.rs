@@ -22,14 +22,14 @@ pub enum Effect {
 const HARMLESS_M: &[u32] = &[
     17, 18, 20, 21, 22, 27, 29, 30, 31, 36, 42, 70, 72, 73, 74, 75, 76, 77, 78, 80, 81, 84, 85,
     104, 105, 106, 107, 108, 109, 110, 111, 113, 114, 115, 116, 117, 118, 119, 122, 123, 140, 141,
-    143, 144, 150, 154, 155, 190, 191, 192, 200, 201, 202, 203, 204, 205, 207, 208, 210, 211, 250,
-    256, 259, 300, 301, 302, 303, 304, 305, 308, 309, 310, 355, 400, 404, 405, 406, 407, 412, 413,
-    500, 503, 504, 550, 552, 555, 562, 564, 566, 568, 569, 570, 571, 572, 573, 575, 591, 593, 710,
-    862, 900, 905, 909, 911, 912, 914, 916, 917, 918, 919, 950, 951,
+    143, 144, 150, 154, 155, 190, 191, 192, 200, 201, 202, 203, 204, 205, 207, 210, 211, 250, 256,
+    259, 300, 301, 302, 304, 305, 308, 309, 310, 355, 400, 404, 405, 406, 407, 412, 413, 500, 503,
+    504, 550, 552, 555, 562, 564, 566, 568, 569, 570, 571, 572, 573, 575, 591, 593, 710, 862, 900,
+    905, 909, 911, 912, 914, 916, 917, 918, 919, 950, 951,
 ];
 
-/// G60 keeps a place, without going there.
-const HARMLESS_G: &[u32] = &[21, 60];
+/// G60 keeps a place, without going there; G94 is how speeds are told anyway.
+const HARMLESS_G: &[u32] = &[21, 60, 94];
 
 /// Klipper's own commands that move nothing.
 const HARMLESS_NAMED: &[&str] = &[
@@ -110,6 +110,8 @@ pub const SECOND: &str = "a second command stands in its line";
 pub const HOMING_WORD: &str = "how this word changes the way home is not known";
 const DIRECTION: &str = "it may turn a motor's direction";
 const LEAVES_OUT: &str = "what follows may be left out";
+const TUNES: &str = "it heats and cools the nozzle at its own will";
+const HOST: &str = "the host may pause, cancel or move at this word";
 
 /// What a command does that the machine reports as somebody else's.
 #[must_use]
@@ -152,6 +154,11 @@ fn of_m(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
             Effect::Unknown("it makes retractions of moves of E")
         }
         209 => Effect::Harmless,
+        // RepRapFirmware's ends of the axes, where they are after homing; Marlin's has no axes.
+        208 if words.letters().any(|word| b"XYZUVW".contains(&word)) => Effect::Unknown(FRAME),
+        208 => Effect::Harmless,
+        303 => Effect::Unknown(TUNES),
+        118 if commands_the_host(words) => Effect::Unknown(HOST),
         486 if leaves_out() => Effect::Unknown(LEAVES_OUT),
         486 => Effect::Harmless,
         // Marlin's chooses how silent a driver is; with P it is RepRapFirmware's.
@@ -175,7 +182,9 @@ fn of_sub(letter: u8, code: &[u8]) -> Effect {
 
 fn of_named(name: &[u8], words: Words<'_>) -> Effect {
     let is_one_of = |names: &[&str]| names.iter().any(|n| name.eq_ignore_ascii_case(n.as_bytes()));
-    if name.eq_ignore_ascii_case(b"EXCLUDE_OBJECT") && !words.0.trim_ascii().is_empty() {
+    if name.eq_ignore_ascii_case(b"RESPOND") && commands_the_host(words) {
+        Effect::Unknown(HOST)
+    } else if name.eq_ignore_ascii_case(b"EXCLUDE_OBJECT") && !words.0.trim_ascii().is_empty() {
         Effect::Unknown(LEAVES_OUT)
     } else if is_one_of(HARMLESS_NAMED) {
         Effect::Harmless
@@ -184,6 +193,18 @@ fn of_named(name: &[u8], words: Words<'_>) -> Effect {
     } else {
         Effect::Prepares
     }
+}
+
+/// Whether a message is a command to the host (`action:pause`), and none that only shows something.
+///
+/// Source: docs.octoprint.org, "Action commands".
+fn commands_the_host(words: Words<'_>) -> bool {
+    const SHOWN: [&str; 2] = ["notification", "prompt"];
+    let text = String::from_utf8_lossy(words.0).to_ascii_lowercase();
+    text.split("action:").skip(1).any(|word| {
+        let word = word.trim_start();
+        !SHOWN.iter().any(|shown| word.starts_with(shown))
+    })
 }
 
 /// Why a command that only prepares a print is not known within one.
@@ -269,6 +290,11 @@ mod tests {
             "M486 S1",
             "M486 Aa cap.stl",
             "M209 S0",
+            "M208 S0.2 F300",
+            "G94",
+            "%",
+            "M118 A1 action:notification Layer 3",
+            "RESPOND TYPE=command MSG=\"action:prompt_begin Pause\"",
         ] {
             assert_eq!(effect_of(line, Dialect::Marlin), Effect::Harmless, "{line}");
         }
@@ -295,6 +321,11 @@ mod tests {
             "G92.1",
             "M569 P0 S0",
             "M5000",
+            "M208 Z-5 S1",
+            "M303 E0 S200",
+            "M118 A1 P0 action:pause",
+            "M118 //ACTION: cancel",
+            "RESPOND TYPE=command MSG=\"action:pause\"",
         ] {
             assert!(matches!(effect_of(line, Dialect::Marlin), Effect::Unknown(_)), "{line}");
         }
