@@ -5,12 +5,13 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::contours::Contour;
 use crate::geometry::disjoint_sets::UnionFind;
+use crate::geometry::polygon;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// A connected piece of the surface between two heights.
@@ -265,6 +266,9 @@ impl<'a> SlabSurface<'a> {
                 pieces[numbers[place as usize]].strip.upper.push(index);
             }
         }
+        if self.interval.low == f64::NEG_INFINITY {
+            add_floors(&mut pieces, slab.upper);
+        }
         let mut strips: Vec<Strip> = pieces
             .into_iter()
             .filter(|piece| piece.touches() || !piece.leaves)
@@ -276,12 +280,31 @@ impl<'a> SlabSurface<'a> {
     }
 }
 
+/// Adds what lies on the bed without a contour of its own, since the sides of other bodies cover its
+/// sides, to the piece whose contour is around it: below the bed is nothing that could bury it.
+fn add_floors(pieces: &mut [OpenStrip], contours: &[Contour]) {
+    let floors: Vec<(DVec2, f64)> = pieces
+        .iter()
+        .filter(|piece| piece.leaves && !piece.touches() && piece.strip.plan < 0.0)
+        .filter_map(|piece| Some((piece.low?, piece.strip.plan)))
+        .collect();
+    for (place, plan) in floors {
+        let holds = |&i: &u32| polygon::is_within([&contours[i as usize].points[..]], place);
+        let around = pieces.iter_mut().find(|piece| piece.strip.upper.iter().any(holds));
+        if let Some(around) = around {
+            around.strip.plan += plan;
+        }
+    }
+}
+
 /// A strip in the making.
 #[derive(Clone, Default)]
 struct OpenStrip {
     strip: Strip,
     /// Whether its surface goes on beyond the interval.
     leaves: bool,
+    /// The middle of a face that looks down.
+    low: Option<DVec2>,
 }
 
 impl OpenStrip {
@@ -292,6 +315,9 @@ impl OpenStrip {
         let normal = (b - a).cross(c - a) * (share_between(z, interval.low, interval.high) / 2.0);
         self.strip.area += normal.length();
         self.strip.plan += normal.z;
+        if normal.z < 0.0 {
+            self.low.get_or_insert(((a + b + c) / 3.0).truncate());
+        }
         let (low, high) = extent(z);
         self.leaves |= interval.is_left_by(low, high);
     }
