@@ -253,6 +253,29 @@ mod tests {
     }
 
     #[test]
+    fn wire_meets_a_region_on_the_sides_where_there_is_one() {
+        let line = Curve::new(&[DVec2::ZERO, DVec2::X * 60.0], false);
+        let meets = |stretches: &[(f64, f64)]| -> Vec<(f64, f64, [bool; 2])> {
+            let stretch = |&(from, length)| Stretch { contour: 0, from, length };
+            let stretches: Vec<Stretch> = stretches.iter().map(stretch).collect();
+            let pieces = take_out(&mut vec![line.clone()], &stretches);
+            let wire = pieces.iter().filter(|piece| piece.curve.is_some());
+            wire.map(|piece| (piece.from, piece.length, piece.meets)).collect()
+        };
+        let (first, last) = ((0.0, 20.0, [false, true]), (50.0, 10.0, [true, false]));
+        assert_eq!(meets(&[(20.0, 30.0)]), [first, last]);
+        let between = (30.0, 10.0, [true, true]);
+        assert_eq!(meets(&[(20.0, 10.0), (40.0, 10.0)]), [first, between, last]);
+        assert_eq!(meets(&[(0.0, 50.0)]), [last]);
+        assert_eq!(meets(&[(20.0, 40.0)]), [first]);
+        // Around a closed contour wire lies between regions everywhere.
+        let pieces =
+            take_out(&mut vec![square()], &[Stretch { contour: 0, from: 5.0, length: 30.0 }]);
+        let wire: Vec<&Piece> = pieces.iter().filter(|piece| piece.curve.is_some()).collect();
+        assert_eq!((wire.len(), wire[0].from, wire[0].meets), (1, 35.0, [true, true]));
+    }
+
+    #[test]
     fn a_rim_is_joined_from_its_pieces() {
         let whole = square().unwrap();
         let region = rim_of(&whole, 35.0, 10.0, 1.0);
