@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+import shapely
+import trimesh
 from shapely import affinity
 
 import part_rules
@@ -10,7 +12,7 @@ import random_solids
 from layered_solids import Body
 from random_parts import Part, disc, rectangle
 from random_solids import Solid, block, lathed
-from wireprint import Settings
+from wireprint import KINDS, Settings, make
 
 MACHINES = (
     ("kossel-mini", "abs"),
@@ -59,7 +61,30 @@ def floored():
     return Part(0, "floored", (Body().add(disc(60), 0, 0.6), tube), 0, 0.0)
 
 
+def rimmed():
+    """A tray whose floor reaches into a rim of its own, which covers the floor's sides."""
+    rim = Body().add(rectangle(90, 70), 0, 20).cut(rectangle(82, 62), 0, 20)
+    return Part(0, "rimmed", (Body().add(rectangle(86, 66), 0, 1.2), rim), 0, 0.0)
+
+
+def leaning():
+    """A thin plate that leans back on a foot, and a stop before it, as of a stand."""
+    foot, stop = block(70, 80, 4), random_solids.at(block(70, 6, 12), y=-25.0, z=2.0)
+    plate = block(70, 4, 80)
+    plate.apply_transform(trimesh.transformations.rotation_matrix(np.radians(-20), [1, 0, 0]))
+    return Solid(0, "leaning", (foot, stop, random_solids.at(plate, y=10.0, z=2.0)))
+
+
+def hooked():
+    """A hook, 3 mm thick: a thin contour that bends, and hangs over in the end."""
+    hook = Body().add(shapely.LineString([(0, 0), (40, 0), (40, 25), (8, 25)]).buffer(1.5), 0, 40)
+    return Part(0, "hooked", (hook,), 0, 0.0)
+
+
 NAMED = {
+    "rimmed": rimmed(),
+    "leaning": leaning(),
+    "hooked": hooked(),
     "lidded": lidded(),
     "floored": floored(),
     "bored 8": bored(8),
@@ -95,3 +120,13 @@ def test_a_solid_is_whole_and_certified(solid, settings):
 @pytest.mark.parametrize("name", NAMED)
 def test_what_lies_leans_or_hangs_high_is_whole(name, machine, settings):
     assert part_rules.shortcomings(NAMED[name], settings[machine]) == []
+
+
+@pytest.mark.parametrize("machine", MACHINES, ids=lambda machine: machine[0])
+@pytest.mark.parametrize("name", ["leaning", "hooked"])
+def test_thin_contours_are_trusses(name, machine, settings):
+    wireframe = make(NAMED[name].mesh(), settings[machine]).wireframe
+    diagonal = wireframe.strand_kinds == KINDS.index("diagonal")
+    # A diagonal may be laid in several strands.
+    begun = np.count_nonzero(diagonal & ~np.concatenate([[False], diagonal[:-1]]))
+    assert begun >= 0.85 * wireframe.post_count
