@@ -26,11 +26,11 @@ def tube():
 
 
 def bracket():
-    """An upright plate on a foot, with a boss."""
-    foot = trimesh.creation.box(bounds=[(-20, -12, 0), (20, 12, 8)])
-    plate = trimesh.creation.box(bounds=[(-20, -12, 8), (-12, 12, 26)])
-    boss = trimesh.creation.cylinder(5, 10, sections=48)
-    boss.apply_translation((8, 0, 13))
+    """An upright plate on a foot, with a boss; lopsided, so that rounding decides nothing."""
+    foot = trimesh.creation.box(bounds=[(-20, -12, 0), (21, 11.3, 7.7)])
+    plate = trimesh.creation.box(bounds=[(-20, -12, 7.7), (-12, 11.3, 25.6)])
+    boss = trimesh.creation.cylinder(5, 9.4, sections=48)
+    boss.apply_translation((8, -1.2, 12.4))
     return trimesh.util.concatenate([foot, plate, boss])
 
 

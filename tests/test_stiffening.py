@@ -33,7 +33,7 @@ def revolved(profile, around=24):
 @pytest.fixture(scope="module")
 def reed():
     """A disc on a slim stem, which gives way as its rim is printed."""
-    return revolved([(12, 0), (4, 8), (4, 62), (20, 76), (20, 84)])
+    return revolved([(12, 0), (4, 8), (4, 90), (20, 104), (20, 112)])
 
 
 @pytest.fixture(scope="module")

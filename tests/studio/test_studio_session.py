@@ -208,7 +208,7 @@ def test_a_slow_print_tells_what_it_is_at_until_it_is_shown(talk, monkeypatch):
 
 
 def test_a_saved_model_is_printed_anew_and_marks_stay(talk, cube):
-    talk.edit("mark", mark=BAND)
+    talk.edit("mark", mark=box([-40, -40, 8], [40, 40, 16]))
     cube.write_bytes(examples.stl("sphere"))
     head, _ = talk.wait("model", lambda one: one["size_mm"][0] > 70)
     assert head["size_mm"] == pytest.approx([78, 78, 78], abs=0.5)

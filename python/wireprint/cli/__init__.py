@@ -56,9 +56,13 @@ COMMANDS: dict[str, tuple[str, str, str]] = {
     "splice": (
         "wireprint.cli.splice",
         "splice",
-        "Put wire between another slicer's layers.",
+        "Put a wire print of MODEL between the layers of another slicer's file.",
     ),
-    "body": ("wireprint.cli.body", "body", "Write strands as tubes that other slicers print."),
+    "body": (
+        "wireprint.cli.body",
+        "body",
+        "Write the strands of a print as tubes that other slicers print.",
+    ),
     "order": (
         "wireprint.cli.order",
         "order",

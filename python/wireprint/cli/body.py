@@ -63,7 +63,7 @@ def body(
     as_json: bool,
     **placement: Any,
 ) -> None:
-    """Write the strands of a print as solid tubes that other slicers print in layers.
+    """Write the strands of a print as tubes that other slicers print.
 
     Skirts, brims and purge lines are left out. The body lies about the middle of the bed, z from
     the bed: where slice puts the model. With --model both are in one file, so that the slicer keeps

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 )
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 def report(results: Path, output: str, against: Path | None, as_json: bool) -> None:
-    """Write a page about the results of a bench: distributions by kind, failures, changes.
+    """Write a page about the results of a bench.
 
     RESULTS is a table of `wireprint bench`, .parquet or .csv. The kind of a model is the folder
     that it is in. The page is one file that needs no other.

@@ -15,7 +15,6 @@ use super::command::{Axes, CentreWords, Command, Plane, Words};
 use super::event::{Event, Step};
 use super::features::{Features, Remark};
 use super::homing::Homing;
-use super::modes::Modes;
 use super::reader::parse_line;
 use super::retraction::Retraction;
 
@@ -135,20 +134,28 @@ impl Machine {
         self.position
     }
 
-    /// What moves that followed would find.
+    /// Reading of the extruder's axis, in the unit that the text feeds in, and whether E counts from
+    /// the last move (M83).
     #[must_use]
-    pub fn modes(&self) -> Modes {
+    pub fn extruder(&self) -> (f64, bool) {
+        (self.extruder, self.relative_extrusion)
+    }
+
+    /// Feed as it is written, mm/s.
+    #[must_use]
+    pub fn feed(&self) -> f64 {
+        self.feed
+    }
+
+    /// Whether a move means what it says: coordinates count from the machine's origin (G90, no G92 of
+    /// axes), in mm, and neither feed nor filament is scaled.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
         let scales = [self.mm_per_unit, self.feed_factor, self.flow_factor];
-        Modes {
-            at: self.position,
-            extruder: self.extruder,
-            relative_extrusion: self.relative_extrusion,
-            feed: self.feed,
-            plain: !self.relative
-                && self.offset == DVec3::ZERO
-                && self.volumetric.is_none()
-                && scales == [1.0; 3],
-        }
+        !self.relative
+            && self.offset == DVec3::ZERO
+            && self.volumetric.is_none()
+            && scales == [1.0; 3]
     }
 
     /// Whether coordinates count from the last move (G91).

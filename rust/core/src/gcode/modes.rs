@@ -31,7 +31,9 @@ impl Modes {
         for (line, command) in Commands::new(text) {
             machine.apply(line, &command, |_| {});
         }
-        machine.modes()
+        let (extruder, relative_extrusion) = machine.extruder();
+        let (at, feed, plain) = (machine.position(), machine.feed(), machine.is_plain());
+        Self { at, extruder, relative_extrusion, feed, plain }
     }
 }
 

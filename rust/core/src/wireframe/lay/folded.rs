@@ -10,6 +10,9 @@ use crate::wireframe::lay::tops::Top;
 use crate::wireframe::lay::weave::{Wall, reach, rim_of, standing, weave_up};
 use crate::wireframe::place::fold::{sides, tips};
 
+/// More than rounding adds to a square of a distance, as a part of it.
+const ROUNDING: f64 = 1e-6;
+
 /// Weaves the two sides of a thin contour, from the tip where the head is to the other one; none where
 /// a contour is not thin, or no weave is to be had.
 pub fn folded(
@@ -25,7 +28,9 @@ pub fn folded(
     let tips = tips(curve, reach)?;
     let at = journal.place();
     let away = |tip: f64| curve.position(tip).distance_squared(at);
-    let [near, far] = if away(tips[1]) < away(tips[0]) { [tips[1], tips[0]] } else { tips };
+    // From places that are as near to both, the first one: rounding must not choose.
+    let nearer = away(tips[1]) < away(tips[0]) * (1.0 - ROUNDING);
+    let [near, far] = if nearer { [tips[1], tips[0]] } else { tips };
     // A strand that ended beside the tip is gone on from.
     let from = going_on(journal, &[rim]);
     let from = from.filter(|from| from.truncate().distance(curve.position(near)) < reach);

@@ -21,6 +21,8 @@ use crate::wireframe::place::zigzag::{SPARE, ZigzagStep};
 const NEAR: f64 = 0.9;
 /// Places along a wall are at most this part of a run apart.
 const PITCH: f64 = 0.25;
+/// Places along both walls are told apart by so much of that distance.
+const SNAP: f64 = 1e-6;
 
 /// One of two walls.
 pub struct Wall<'a> {
@@ -132,6 +134,8 @@ fn places(
                 let lap = if first.curve.is_closed() { laps.round() } else { 0.0 };
                 along - lap * first.curve.length()
             };
+            // What stands across from each other comes in one order, however it is rounded.
+            let along = (along / (SNAP * pitch)).round() * SNAP * pitch;
             Place { wall, along, candidate }
         }));
     }
