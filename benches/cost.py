@@ -32,6 +32,8 @@ arrays in, certified G-code out, in one process, the best of {repeats} runs. Tim
 - **pins**: ever more small vases side by side: contours of a slice grow more numerous.
 - **ns per n·log₂n**: all of the time over n·log₂n strands; it does not rise where the cost grows no
   worse than n·log n. At the small end what every print costs weighs more.
+- Large vases have wide roofs, which want columns: each floor of these is one more pass over all
+  slabs, sixteen at most.
 """
 #: Radii and heights of a vase's rings, mm, and how many strands it comes to in the end.
 RADII, HEIGHTS = (30, 24, 36, 20, 30), (0, 10, 22, 36, 44)
@@ -120,6 +122,7 @@ def main():
             "bed.diameter_mm=2000",
             "bed.height_mm=2000",
             "motion.print_radius=1000",
+            "motion.endstop_height=2000",
         ]
     )
     counts = [10**power for power in range(3, 1 + round(math.log10(arguments.most)))]
