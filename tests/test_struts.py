@@ -484,3 +484,14 @@ def test_steep_struts_that_share_nodes_leave_and_arrive_level(make):
         share = np.einsum("ij,ij->i", place - whole[:, 0], run) / (run**2).sum(axis=1)
         near = whole[:, 0] + np.clip(share, 0, 1)[:, None] * run
         assert np.linalg.norm(near - place, axis=1).min() < 0.5 + 0.7
+
+
+@pytest.mark.parametrize("kind", [5120, 5122, 5126])
+def test_indices_that_may_be_negative_or_broken_are_refused(kind, tmp_path):
+    graph = tower(1)
+    whole = struts_as(graph, "glb", 0.35)
+    (tmp_path / "a.glb").write_bytes(
+        whole.replace(b'"componentType": 5125', b'"componentType": %d' % kind)
+    )
+    with pytest.raises(wireprint.ModelError, match="damaged glTF"):
+        read_struts(tmp_path / "a.glb")

@@ -80,6 +80,8 @@ def primitives(text: bytes, most_corners: int) -> Iterator[Primitive]:
             order = np.arange(len(places))
             if "indices" in primitive:
                 order = _accessor(document, binary, primitive["indices"]).ravel()
+                if order.dtype.kind != "u":
+                    raise ModelError("a damaged glTF file: indices are no unsigned numbers")
             with np.errstate(over="ignore", invalid="ignore"):
                 places = MM * (places @ matrix[:3, :3].T + matrix[:3, 3])
             if not np.isfinite(places).all():
