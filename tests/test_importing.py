@@ -6,11 +6,16 @@ import tomllib
 import pytest
 
 import printer_files as files
-from wireprint import limits
+from wireprint import examples, limits
 from wireprint._core import SettingError
+from wireprint.bounds import bounds_of
 from wireprint.importing import imported
+from wireprint.importing.completion import BOUNDED
 from wireprint.importing.hotends import HOTENDS
 from wireprint.importing.trial import tried
+from wireprint.keys import described
+from wireprint.mesh import load_mesh
+from wireprint.pipeline import make
 from wireprint.settings import Settings
 
 
@@ -334,3 +339,103 @@ def test_a_bed_that_begins_beside_zero_keeps_its_middle(folder):
     found = imported([folder / "a.ini"], hotend="mk8")
     assert found.values["bed"]["width_mm"] == 220
     assert any("keep to models of 210 × 220 mm" in remark for remark in found.remarks)
+
+
+def test_a_users_preset_inherits_from_the_makers_in_the_slicers_own_folders(tmp_path):
+    maker, own = tmp_path / "system" / "Maker" / "machine", tmp_path / "user" / "me" / "machine"
+    maker.mkdir(parents=True)
+    own.mkdir(parents=True)
+    (maker / "fdm_maker_common.json").write_text(json.dumps(files.ORCA_BASE))
+    (maker / "Maker Cube 0.6 nozzle.json").write_text(json.dumps(files.ORCA))
+    mine = {"name": "Mine", "inherits": "Maker Cube 0.6 nozzle", "printable_height": "199"}
+    (own / "Mine.json").write_text(json.dumps(mine))
+    found = flat(imported([own / "Mine.json"], hotend="v6").values)
+    assert (found["bed.height_mm"], found["bed.width_mm"]) == (199, 221)
+
+
+def test_a_printers_usual_filament_and_print_complete_it(tmp_path):
+    printer = {key: value for key, value in files.SLIC3R.items() if not key.startswith("filament_")}
+    printer |= {
+        "default_filament_profile": '"Good PLA";Other',
+        "default_print_profile": "0.2 mm",
+        "end_gcode": "G1 X5 F{travel_speed*60}\\nM106 S{min(255, (max_fan_speed[0] + 10) * 2.55)}",
+    }
+    lines = "".join(f"{key} = {value}\n" for key, value in printer.items())
+    (tmp_path / "b.ini").write_text(
+        "[vendor]\nname = Maker\ndefault speed =100\nsome[0] = 1\n[print:0.2 mm]\n"
+        "travel_speed = 130\n"
+        "[filament:Other]\nfilament_max_volumetric_speed = 3\n"
+        "[filament:Good PLA]\nfilament_max_volumetric_speed = 13\nfilament_diameter = 1.75\n"
+        f"max_fan_speed = 70\n[printer:Maker One]\n{lines}"
+    )
+    found = flat(imported([tmp_path / "b.ini"], hotend="v6").values)
+    assert found["extruder.max_flow_mm3_s"] == 13
+    assert told(found["gcode.end"])[2:4] == ["G1 X5 F7800", "M106 S204"]
+
+
+def test_the_macro_that_starts_a_print_gets_what_is_known(tmp_path):
+    start = (
+        "PRINT_START EXTRUDER=[nozzle_temperature_initial_layer] LAYERS={nobody_knows},{a} "
+        "PRINT_MIN={first_layer_print_min[0]},{first_layer_print_min[1]} SIZE={b} "
+        "BED={bed_temperature}"
+        "\n{e_retracted[0] = 2 * retract_length[0]}\nG29.1 Z{+0.0}"
+        "\nM862 {if num_extruders > 1}T1{endif}\nSET_PIN PIN=a VALUE={nobody_knows}"
+    )
+    own = files.ORCA_BASE | files.ORCA | {"machine_start_gcode": start, "gcode_flavor": "klipper"}
+    del own["inherits"]
+    (tmp_path / "k.json").write_text(json.dumps(own))
+    found = imported([tmp_path / "k.json"], hotend="v6")
+    assert told(found.values["gcode"]["start"])[:4] == [
+        "G28",
+        "PRINT_START EXTRUDER={nozzle_c} PRINT_MIN={min_x_mm},{min_y_mm} BED={bed_c}",
+        "G29.1 Z0",
+        "M862",
+    ]
+    assert any("SET_PIN PIN=a VALUE={nobody_knows}" in remark for remark in found.remarks)
+
+
+def test_a_start_sequence_is_told_what_the_print_covers(folder):
+    _, settings = tried(imported([folder / "maker.ini"], hotend="v6"))
+    cube = folder / "cube.stl"
+    cube.write_bytes(examples.stl("cube"))
+    start = (
+        settings.printer.gcode.start + "M555 X{min_x_mm} Y{min_y_mm:d} W{max_x_mm} H{max_y_mm:.1f}"
+    )
+    gcode = settings.printer.gcode.model_copy(update={"start": start})
+    printer = settings.printer.model_copy(update={"gcode": gcode})
+    made = make(load_mesh(cube), settings.model_copy(update={"printer": printer}))
+    line = next(one for one in made.gcode.decode().splitlines() if one.startswith("M555"))
+    low_x, low_y, high_x, high_y = (float(word[1:]) for word in line.split()[1:])
+    laid = made.toolpath.to[made.toolpath.filament > 0]
+    assert (low_x, high_x) == pytest.approx((laid[:, 0].min(), laid[:, 0].max()), abs=1e-3)
+    assert (low_y, high_y) == pytest.approx((laid[:, 1].min(), laid[:, 1].max()), abs=0.5)
+
+
+def test_a_figure_that_stands_for_no_limit_is_the_most_that_there_is(folder):
+    fast = {f"machine_max_feedrate_{axis}": "30000" for axis in "xyze"}
+    (folder / "fast.ini").write_text(files.ini(files.SLIC3R, max_print_height="0.5", **fast))
+    with pytest.raises(SettingError, match=r"fast\.ini:\d+, max_print_height: 0\.5 is less"):
+        imported([folder / "fast.ini"], hotend="v6")
+    (folder / "fast.ini").write_text(files.ini(files.SLIC3R, **fast))
+    found = imported([folder / "fast.ini"], hotend="v6")
+    assert found.values["motion"]["marlin"]["max_velocity"] == [5000] * 4
+    assert any("machine_max_feedrate_x: 30000 is taken as 5000" in one for one in found.remarks)
+    tried(found)
+
+
+def test_an_extruders_own_file_stands_above_the_machines(folder):
+    child = {"version": 2, "inherits": "maker_two", "name": "Three"}
+    child["overrides"] = {"machine_nozzle_size": {"default_value": 0.8}}
+    child["metadata"] = {"machine_extruder_trains": {"0": "3-d ex"}}
+    own = {"overrides": {"machine_nozzle_size": {"default_value": 0.6}}}
+    (folder / "3-d ex.def.json").write_text(json.dumps(own))
+    (folder / "three.def.json").write_text(json.dumps(child))
+    found = flat(imported([folder / "three.def.json"], hotend="v6").values)
+    assert (found["head.nozzle_mm"], found["extruder.filament_diameter_mm"]) == (0.6, 2.85)
+
+
+def test_what_bounds_an_imported_figure_bounds_a_profiles():
+    known = {key.short: (key.low, key.high) for key in described(Settings)}
+    for key, kind in BOUNDED.items():
+        # Lists have no bounds of their own, but their parts'.
+        assert known[key] in (bounds_of(kind), (None, None)), key

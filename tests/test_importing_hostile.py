@@ -129,7 +129,7 @@ def test_a_name_adds_nothing_to_gcode_or_profile(tmp_path, name):
 
 def test_a_value_of_the_file_cannot_break_out_of_its_line():
     evil = {"kind": "PLA\nG1 Z-10", "ok": "PETG"}
-    lines, unknown = resolved("; {kind}\nM117 {kind}\nM117 {ok}", lambda name, _: evil[name])
+    lines, unknown = resolved("; {kind}\nM117 {kind}\nM117 {ok}", lambda name, _: evil[name], ())
     assert lines == ["M117 PETG"]
     assert len(unknown) == 2
 
@@ -189,12 +189,12 @@ def test_what_is_no_expression_is_unknown(text):
 
 def test_a_name_that_nobody_knows_is_missed_only_where_it_is_asked_for():
     assert evaluated("missing", lookup) == Missing("missing")
-    assert resolved("M104 S{missing}", lookup) == ([], ["M104 S{missing}"])
+    assert resolved("M104 S{missing}", lookup, ()) == ([], ["M104 S{missing}"])
 
 
 def test_a_long_sequence_with_open_branches_and_braces_comes_to_its_end():
     text = "{if a > 1}" * 2000 + "G28\n" + "{" * 2000 + "\n" + "G1 X{a}\n" * 20000
-    lines, _ = resolved(text, lookup)
+    lines, _ = resolved(text, lookup, ())
     assert lines[0] == "G28"
 
 

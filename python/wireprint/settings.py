@@ -22,6 +22,15 @@ from pydantic import (
     model_validator,
 )
 
+from wireprint.bounds import (
+    Accel,
+    BedSize,
+    CarriageHeight,
+    CarriageReach,
+    CornerSpeed,
+    Length,
+    Speed,
+)
 from wireprint.choices import (
     CoolingMethod,
     Flavor,
@@ -39,15 +48,9 @@ if TYPE_CHECKING:
 
     from wireprint.keys import Key
 
-# Bounds are what machines can be: from a watchmaker's printer to one that fills a hall. They keep
-# numbers away that would only overflow a formula or ask for more slices than there is memory.
+# The bounds of other figures are in `wireprint.bounds`.
 Millimetres = Annotated[float, Field(ge=0.1, le=2000)]
 Height = Annotated[float, Field(ge=0, le=5000, description="above the bed, mm")]
-BedSize = Annotated[float, Field(ge=10, le=5000)]
-Speed = Annotated[float, Field(ge=0.1, le=5000, description="mm/s")]
-Accel = Annotated[float, Field(ge=1, le=1e6, description="mm/s²")]
-CornerSpeed = Annotated[float, Field(ge=0, le=1000, description="mm/s")]
-Length = Annotated[float, Field(ge=1e-4, le=5000, description="mm")]
 #: A coordinate of a part of the head, seen from the tip, mm.
 FromTip = Annotated[float, Field(ge=-500, le=500)]
 PartBottom = Annotated[
@@ -212,10 +215,10 @@ class Head(Section):
     block_radius_mm: float = Field(
         ge=0.1, le=200, description="reach of heater block and fan ducts"
     )
-    carriage_height_mm: float = Field(
-        ge=0.1, le=300, description="height above the tip at which the carriage begins"
+    carriage_height_mm: CarriageHeight = Field(
+        description="height above the tip at which the carriage begins"
     )
-    carriage_radius_mm: float = Field(ge=0.1, le=500, description="reach of the carriage")
+    carriage_radius_mm: CarriageReach = Field(description="reach of the carriage")
     parts: tuple[HeadPart, ...] = Field(
         (), max_length=16, description="fan ducts, probes, shrouds: what is not round"
     )
@@ -367,7 +370,10 @@ class Gcode(Section):
         max_length=20,
         description="width and height of the pictures in the header, and QOI where that is read",
     )
-    start: str = Field(description="heats and homes; may use {nozzle_c}, {bed_c}")
+    start: str = Field(
+        description="heats and homes; may use {nozzle_c}, {bed_c}, and the print's edges on the "
+        "bed, {min_x_mm}, {min_y_mm}, {max_x_mm}, {max_y_mm}"
+    )
     end: str = Field(description="cools and parks; may use {park_z_mm}, 10 mm above the print")
     macros: tuple[Macro, ...] = Field(
         (), max_length=50, description="macros that files use; others are not judged in a print"
@@ -376,13 +382,13 @@ class Gcode(Section):
     @field_validator("start")
     @classmethod
     def _start_uses_known_names(cls, text: str) -> str:
-        sequence.check(text, ("nozzle_c", "bed_c"))
+        sequence.check(text, sequence.START_NAMES)
         return text
 
     @field_validator("end")
     @classmethod
     def _end_uses_known_names(cls, text: str) -> str:
-        sequence.check(text, ("park_z_mm",))
+        sequence.check(text, sequence.END_NAMES)
         return text
 
 

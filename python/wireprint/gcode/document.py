@@ -117,7 +117,7 @@ def commands(toolpath: Toolpath, settings: Settings, *, wire: bool = True) -> by
     """
     gcode = settings.printer.gcode
     material = settings.material
-    names = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c}
+    names = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c} | _edges_mm(toolpath)
     gentle, usual = bed_limits(settings) if wire else ("", "")
     parts = [
         _sequence(gcode.start, names).encode(),
@@ -128,6 +128,18 @@ def commands(toolpath: Toolpath, settings: Settings, *, wire: bool = True) -> by
         ending(toolpath.top_mm, settings),
     ]
     return b"".join(parts)
+
+
+def _edges_mm(toolpath: Toolpath) -> dict[str, float]:
+    """Return the rectangle that a print covers on the bed, by the names of start sequences."""
+    laid = toolpath.to[toolpath.filament > 0, :2]
+    low, high = (laid.min(axis=0), laid.max(axis=0)) if len(laid) else ((0.0, 0.0), (0.0, 0.0))
+    corners = {"min": low, "max": high}
+    return {
+        f"{end}_{axis}_mm": float(corner[i])
+        for end, corner in corners.items()
+        for i, axis in enumerate("xy")
+    }
 
 
 def ending(top_mm: float, settings: Settings) -> bytes:

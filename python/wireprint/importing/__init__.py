@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import toml
 from wireprint._core import SettingError
-from wireprint.importing import bundle, cura, embedded, klipper, orca, slic3r
+from wireprint.importing import bundle, cura, cura_files, embedded, klipper, orca, slic3r
 from wireprint.importing.completion import complete
 from wireprint.importing.klipper_config import KlipperConfig
 from wireprint.importing.reading import text_of
@@ -115,10 +115,10 @@ def _draft_of(path: Path, preset: str | None) -> Draft:
     if name.endswith(".json"):
         text = text_of(path)
         if name.endswith(".def.json"):
-            return cura.draft_of(cura.definition(path, text), str(path))
+            return cura.draft_of(cura_files.definition(path, text), str(path))
         return slic3r.draft_of(orca.configuration(path, text), str(path))
     if name.endswith(".inst.cfg"):
-        return cura.draft_of(cura.instance(path, text_of(path)), str(path))
+        return cura.draft_of(cura_files.instance(path, text_of(path)), str(path))
     if name.endswith(".cfg"):
         config = KlipperConfig()
         config.read(path)

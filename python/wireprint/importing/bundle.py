@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
@@ -14,12 +15,18 @@ from wireprint.text import one_line
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-#: Kinds of presets that describe a machine and what it feeds; a print's own settings do not.
-_KINDS: Final = ("printer", "filament")
+#: Kinds of presets, a later one over an earlier one, and how a printer names its usual one.
+_KINDS: Final = {
+    "print": "default_print_profile",
+    "filament": "default_filament_profile",
+    "printer": "",
+}
+#: Those without which a file is no bundle.
+_BUNDLED: Final = ("printer", "filament")
 _MOST_ELDERS: Final = 40
 _MOST_SHOWN: Final = 8
 _SECTION: Final = re.compile(r"\[([^\]]*)\]\s*$")
-_ENTRY: Final = re.compile(r"\s*([\w.]+)\s*=\s?(.*)")
+_ENTRY: Final = re.compile(r"\s*([^\s=][^=]*?)\s*=\s?(.*)")
 
 
 @dataclass
@@ -102,25 +109,29 @@ def configuration(text: str, name: str, preset: str | None) -> Config:
     """
     found = presets(text, name)
     single = found.sections["", ""]
-    if not any(kind in _KINDS for kind, _ in found.sections):
+    if not any(kind in _BUNDLED for kind, _ in found.sections):
         return single
     chosen = found.sections.get(("presets", ""), {})
+    names = found.names("printer")
+    wanted = preset
+    if wanted is None and "printer" in chosen:
+        wanted = chosen["printer"].text.strip('"')
+    if wanted is None and len(names) == 1:
+        wanted = names[0]
+    if wanted not in names:
+        raise SettingError(f"{name}: {_which(preset, names)}")
+    printer = found.resolved("printer", str(wanted))
+    place = f"{name}, [printer:{one_line(str(wanted))}]"
+    printer.setdefault("printer_settings_id", Given(str(wanted), place))
     merged: Config = {}
-    for kind in _KINDS[::-1]:
-        names = found.names(kind)
-        wanted = preset if kind == "printer" else None
-        if wanted is None and kind in chosen:
-            wanted = chosen[kind].text.strip('"')
-        if wanted is None and kind == "printer" and len(names) == 1:
-            wanted = names[0]
-        if wanted in names:
-            merged |= found.resolved(kind, str(wanted))
-            if kind == "printer":
-                place = f"{name}, [printer:{one_line(str(wanted))}]"
-                merged.setdefault("printer_settings_id", Given(str(wanted), place))
-        elif kind == "printer":
-            raise SettingError(f"{name}: {_which(preset, names)}")
-    return merged
+    for kind, usual in _KINDS.items():
+        given = chosen.get(kind) or printer.get(usual)
+        called = re.split(r"\s*;\s*", given.text)[0].strip('"') if given else ""
+        if kind != "printer" and called in found.names(kind):
+            # What only completes a printer may be damaged.
+            with suppress(SettingError):
+                merged |= found.resolved(kind, called)
+    return merged | printer
 
 
 def _which(preset: str | None, names: list[str]) -> str:

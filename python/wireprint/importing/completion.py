@@ -5,7 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
+from wireprint.bounds import (
+    Accel,
+    BedSize,
+    CarriageHeight,
+    CarriageReach,
+    CornerSpeed,
+    Speed,
+    bounds_of,
+)
 from wireprint.importing import hotends, sequences
+from wireprint.importing.draft import whole_if_it_is
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -23,6 +33,28 @@ _NEEDED: Final = (
     "motion.max_accel",
     "gcode.flavor",
 )
+#: Figures in which sources write "no limit", or nonsense, and what they can be.
+BOUNDED: Final = {
+    "bed.width_mm": BedSize,
+    "bed.depth_mm": BedSize,
+    "bed.diameter_mm": BedSize,
+    "bed.height_mm": BedSize,
+    "head.carriage_height_mm": CarriageHeight,
+    "head.carriage_radius_mm": CarriageReach,
+    "motion.max_velocity": Speed,
+    "motion.max_accel": Accel,
+    "motion.square_corner_velocity": CornerSpeed,
+    "motion.max_z_velocity": Speed,
+    "motion.max_z_accel": Accel,
+    "motion.max_extrude_only_velocity": Speed,
+    "motion.max_extrude_only_accel": Accel,
+    "motion.marlin.max_velocity": Speed,
+    "motion.marlin.max_accel": Accel,
+    "motion.marlin.print_accel": Accel,
+    "motion.marlin.travel_accel": Accel,
+    "motion.marlin.retract_accel": Accel,
+    "motion.marlin.jerk": CornerSpeed,
+}
 _DELTA: Final = ("delta_radius", "arm_length", "step_distance", "endstop_height")
 
 
@@ -51,6 +83,7 @@ def complete(
         Something is missing that must not be guessed; the message says how to give it.
     """
     _settle(draft)
+    _keep_within_bounds(draft)
     if like is not None:
         elder, values = like
         _fill_from(draft, values, f"as {elder} has it", ())
@@ -92,6 +125,30 @@ def _settle(draft: Draft) -> None:
         if value is not None and value < least:
             draft.remark(f"{draft.comments[tuple(key.split('.'))]}: {value:g} mm is no carriage's")
             draft.drop(key)
+
+
+def _keep_within_bounds(draft: Draft) -> None:
+    """Bring figures that stand for "no limit" down to the most that a profile may have.
+
+    Raises
+    ------
+    SettingError
+        A figure is less than any printer's; the error names where it stands.
+    """
+    for key, kind in BOUNDED.items():
+        value = draft.get(key)
+        if value is None:
+            continue
+        least, most = bounds_of(kind)
+        place = draft.comments[tuple(key.split("."))]
+        numbers = value if isinstance(value, list) else [value]
+        if min(numbers) < least:
+            msg = f"{place}: {min(numbers):g} is less than any printer's {key}, {least:g}"
+            raise SettingError(msg)
+        if max(numbers) > most:
+            draft.remark(f"{place}: {max(numbers):g} is taken as {most:g}, the most for {key}")
+            kept = [whole_if_it_is(min(number, most)) for number in numbers]
+            draft.put(key, kept if isinstance(value, list) else kept[0], place)
 
 
 def _fill_from(

@@ -1,32 +1,32 @@
-"""Cura's machines: ``.def.json`` with what they inherit, ``.inst.cfg``, and what users changed."""
+"""Cura's machines, and what users changed, as a profile."""
 
 from __future__ import annotations
 
-import configparser
 import re
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from wireprint._core import SettingError
+from wireprint.gcode.sequence import END_NAMES, START_NAMES
+from wireprint.importing.cura_files import known_value
 from wireprint.importing.draft import Draft, number, whole_if_it_is
-from wireprint.importing.expressions import Missing, Ours, Unknown, Value, evaluated
-from wireprint.importing.orca import json_object
+from wireprint.importing.expressions import Ours, Value
 from wireprint.importing.placeholders import resolved
-from wireprint.importing.reading import Config, Given, text_of
-from wireprint.importing.sequences import end_of, start_of
+from wireprint.importing.reading import Config, Given
+from wireprint.importing.sequences import end_of, start_of, tell_left_out
 from wireprint.text import one_line
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    pass
 
-#: What all machines inherit; its figures are for none in particular.
-_BASES: Final = ("fdmprinter", "fdmextruder")
-_MOST_ELDERS: Final = 40
 _FLAVORS: Final = {
     "RepRap (Marlin/Sprinter)": "marlin",
     "RepRap (Volumetric)": "marlin",
     "RepRap (RepRap)": "reprapfirmware",
     "Repetier": "repetier",
     "Cheetah": "marlin",
+    # What no list of Cura's has, but its makers' files do; Cura writes Marlin's then.
+    "Marlin": "marlin",
+    "RepRap": "marlin",
     "UltiGCode": "marlin",
 }
 #: What Cura takes where a machine says nothing: fdmprinter.def.json. A head's shape is not among
@@ -41,6 +41,13 @@ _DEFAULTS: Final = {
     "machine_max_acceleration_z": "100",
     "machine_max_acceleration_e": "10000",
     "machine_max_jerk_xy": "20",
+    "retraction_amount": "6.5",
+    "retraction_speed": "25",
+    "material_diameter": "2.85",
+    "speed_travel": "120",
+    "speed_print": "60",
+    "layer_height": "0.1",
+    "layer_height_0": "0.3",
 }
 _FIGURES: Final = {
     "machine_nozzle_size": "head.nozzle_mm",
@@ -70,131 +77,6 @@ _TEMPERATURES: Final = {
     "default_material_bed_temperature": "bed_c",
 }
 _USUAL_C: Final = {"nozzle_c": 210.0, "bed_c": 60.0}
-
-
-#: A choice in Python's words, which nobody but Cura can make.
-_FORMULA: Final = re.compile(r"\bif\b.*\belse\b", re.DOTALL)
-
-
-def definition(path: Path, text: str, heirs: tuple[Path, ...] = ()) -> Config:
-    """Return a machine's settings with what it inherits from files of its folder.
-
-    Raises
-    ------
-    SettingError
-        A file is no JSON object, or inherits from nothing or from itself.
-    """
-    table = json_object(text, str(path))
-    found: Config = {}
-    elder = table.get("inherits")
-    chain = (*heirs, path)
-    if isinstance(elder, str) and elder not in _BASES:
-        place = f"{path.name}, inherits"
-        other = path.parent / f"{elder}.def.json"
-        if "/" in elder or "\\" in elder or "\0" in elder or not other.is_file():
-            msg = f"{place}: {one_line(elder)}.def.json is not in {path.parent}; put it there"
-            raise SettingError(msg)
-        if any(other.resolve() == one.resolve() for one in chain) or len(chain) > _MOST_ELDERS:
-            names = " → ".join(one.name for one in (*chain, other))
-            raise SettingError(f"{place}: definitions inherit in a circle: {names}")
-        found = definition(other, text_of(other), chain)
-    found |= _extruder(path, table)
-    overrides = table.get("overrides")
-    if isinstance(table.get("name"), str):
-        found["machine_name"] = Given(table["name"], f"{path.name}, name")
-    return found | _overridden(overrides, text, path.name, found)
-
-
-def _overridden(overrides: Any, text: str, name: str, known: Config) -> Config:
-    """Return what a file states, formulas computed from that and from what is known."""
-    lines = text.splitlines()
-    found: Config = {}
-    for key, entry in overrides.items() if isinstance(overrides, dict) else ():
-        if isinstance(entry, dict):
-            line = next((n for n, one in enumerate(lines, 1) if f'"{key}"' in one), 1)
-            place = f"{name}:{line}, {one_line(key)}"
-            # A formula that is none of ours leaves what stands beside it.
-            usual = entry.get("default_value")
-            for one in (entry.get("value", usual), usual):
-                if (given := _given(one, place, known | found)) is not None:
-                    found[key] = given
-                    break
-    return found
-
-
-def _extruder(path: Path, table: dict[str, Any]) -> Config:
-    """Return what a machine's first extruder says; its file lies beside, or in a folder of them."""
-    metadata = table.get("metadata")
-    trains = metadata.get("machine_extruder_trains") if isinstance(metadata, dict) else None
-    name = trains.get("0") if isinstance(trains, dict) else None
-    if not isinstance(name, str) or not name.isidentifier():
-        return {}
-    for folder in (path.parent, path.parent.parent / "extruders"):
-        file = folder / f"{name}.def.json"
-        if file.is_file():
-            text = text_of(file)
-            own = json_object(text, str(file))
-            return _overridden(own.get("overrides"), text, file.name, {})
-    return {}
-
-
-def _given(value: Any, place: str, known: Config) -> Given | None:
-    if isinstance(value, bool):
-        return Given(str(int(value)), place)
-    if isinstance(value, int | float):
-        return Given(f"{value:.10g}", place)
-    if isinstance(value, list):
-        return Given(str(value), place)
-    if not isinstance(value, str) or _FORMULA.search(value):
-        return None
-    if "\n" in value or (" " in value and ";" in value) or not value:
-        return Given(value, place)
-    try:
-        found = evaluated(value, lambda name, _: _known(name, known))
-    except Unknown:
-        found = Missing(value)
-    if isinstance(found, Missing | Ours):
-        return Given(value, place) if not set(value) & set("()*/=") else None
-    return Given(f"{found:.10g}" if isinstance(found, int | float) else str(found), place)
-
-
-def _known(name: str, known: Config) -> Value:
-    if name not in known:
-        raise Unknown(name)
-    try:
-        return float(known[name].text)
-    except ValueError:
-        return known[name].text
-
-
-def instance(path: Path, text: str) -> Config:
-    """Return what an ``.inst.cfg`` changes.
-
-    Raises
-    ------
-    SettingError
-        It is none; the error names the line.
-    """
-    parser = configparser.ConfigParser(interpolation=None, strict=False)
-    try:
-        parser.read_string(text)
-    except configparser.Error as error:
-        line = getattr(error, "lineno", None)
-        place = f"{path.name}:{line}" if line else path.name
-        what = one_line(str(error).splitlines()[0])
-        raise SettingError(f"{place}: no settings of Cura: {what}") from None
-    found: Config = {}
-    lines = text.splitlines()
-    for key, value in parser.items("values") if parser.has_section("values") else ():
-        line = next((n for n, one in enumerate(lines, 1) if one.startswith(key)), 1)
-        found[key] = Given(value.removeprefix("="), f"{path.name}:{line}, {one_line(key)}")
-    if parser.has_option("general", "definition"):
-        name = parser.get("general", "definition")
-        found.setdefault("definition", Given(name, f"{path.name}, definition"))
-        beside = path.parent / f"{name}.def.json"
-        if "/" not in name and "\0" not in name and beside.is_file():
-            found = definition(beside, text_of(beside)) | found
-    return found
 
 
 def draft_of(config: Config, name: str) -> Draft:
@@ -245,16 +127,14 @@ def draft_of(config: Config, name: str) -> Draft:
                 draft.temperatures.setdefault(ours, number(config[key]))
         except SettingError:
             continue
-    for theirs, ours, taken in (
-        ("machine_start_gcode", "gcode.start", start_of),
-        ("machine_end_gcode", "gcode.end", end_of),
+    for theirs, ours, taken, names in (
+        ("machine_start_gcode", "gcode.start", start_of, START_NAMES),
+        ("machine_end_gcode", "gcode.end", end_of, END_NAMES),
     ):
         if theirs in config:
-            lines, unknown = resolved(
-                config[theirs].text.replace("\\n", "\n"), _Names(config, draft)
-            )
-            for line in unknown:
-                draft.remark(f"{config[theirs].place}: left out of {ours}, not understood: {line}")
+            text = config[theirs].text.replace("\\n", "\n")
+            lines, unknown = resolved(text, _Names(config, draft), names)
+            tell_left_out(draft, config[theirs].place, ours, unknown)
             draft.put(ours, taken(lines, draft), config[theirs].place)
     return draft
 
@@ -301,4 +181,4 @@ class _Names:
         if name in _TEMPERATURES:
             ours = _TEMPERATURES[name]
             return Ours(ours, self._draft.temperatures.get(ours, _USUAL_C[ours]))
-        return _known(name, self._config)
+        return known_value(name, self._config)

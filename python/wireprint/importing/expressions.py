@@ -32,7 +32,8 @@ class Ours:
     """A name of our own sequences, such as ``nozzle_c``, and the number that it stands for."""
 
     name: str
-    number: float
+    #: None: it differs from print to print, so nothing can be computed from it.
+    number: float | None = None
     #: Whether it stands for what is computed from it, too: a height differs from print to print.
     follows: bool = False
 
@@ -166,6 +167,8 @@ class _Parser:
     def factor(self) -> Value:
         if self.take("-"):
             return -_number(self.factor())
+        if self.take("+"):
+            return _number(self.factor())
         if self.take("!", "not"):
             return not is_true(self.factor())
         if self.take("("):
@@ -228,6 +231,8 @@ def _still_ours(number: float, *of: Value) -> Value:
 
 def _number(value: Value) -> float:
     if isinstance(value, Ours):
+        if value.number is None:
+            raise Unknown(value.name)
         return value.number
     if isinstance(value, Missing):
         raise Unknown(value.name)

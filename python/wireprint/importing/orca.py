@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
+from contextlib import suppress
+from itertools import islice
 from pathlib import Path
 from typing import Any, Final
 
@@ -30,7 +33,12 @@ NAMES: Final = {
     "hot_plate_temp": "bed_temperature",
     "hot_plate_temp_initial_layer": "first_layer_bed_temperature",
 }
+#: Presets of a printer's choice that complete it.
+_USUAL: Final = ("default_filament_profile", "default_print_profile")
 _MOST_ELDERS: Final = 40
+#: Folders above a user's own presets in which the slicer may keep those of makers.
+_UP: Final = 4
+_SYSTEM: Final = "system"
 #: Files of a folder that are looked through for an elder.
 _MOST_FILES: Final = 20000
 
@@ -44,6 +52,13 @@ def configuration(path: Path, text: str) -> Config:
         A file is no JSON object, or inherits from nothing or from itself.
     """
     found = _resolved(path, text, ())
+    for usual in _USUAL:
+        given = found.get(usual)
+        name = re.split(r"[;,]", given.text)[0].strip() if given else ""
+        if name and (other := _find(path, name)) is not None:
+            # What only completes a printer may be damaged.
+            with suppress(SettingError):
+                found = _resolved(other, text_of(other), ()) | found
     return renamed(found)
 
 
@@ -74,18 +89,24 @@ def _resolved(path: Path, text: str, heirs: tuple[Path, ...]) -> Config:
 
 
 def _find(path: Path, elder: str) -> Path | None:
-    """Return the file of a profile's name: beside the one that asks, or below the folder above."""
+    """Return the file of a profile's name: beside the one that asks, or in the folders around.
+
+    OrcaSlicer keeps a user's presets in ``user/default/machine``, those of makers in
+    ``system/Maker/machine``.
+    """
     name = f"{elder}.json"
     if "/" in elder or "\\" in elder or "\0" in elder or len(name) > 250:
         return None
     beside = path.parent / name
     if beside.is_file():
         return beside
-    for count, other in enumerate(path.parent.parent.rglob("*.json")):
-        if count >= _MOST_FILES:
-            break
-        if other.name == name:
-            return other
+    above = path.absolute().parents
+    folders = [above[min(1, len(above) - 1)], *(one / _SYSTEM for one in above[1:_UP])]
+    for folder in folders:
+        files = islice(folder.rglob("*.json"), _MOST_FILES)
+        # In no order of the file system's.
+        if same := sorted(other for other in files if other.name == name):
+            return same[0]
     return None
 
 

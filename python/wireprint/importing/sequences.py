@@ -113,6 +113,13 @@ def end_of(lines: Iterable[str], draft: Draft) -> str:
     return "\n" + "\n".join(kept) + "\n"
 
 
+def tell_left_out(draft: Draft, place: str, key: str, lines: list[str]) -> None:
+    """Remark the lines of a sequence that were not understood."""
+    if lines:
+        count = f"{len(lines)} lines that are" if len(lines) > 1 else "a line that is"
+        draft.remark(f"{place}: {key} is without {count} not understood: {_told(lines)}")
+
+
 def _told(lines: list[str]) -> str:
     shown = "; ".join(lines[:_MOST_TOLD])
     return f"{shown}; …" if len(lines) > _MOST_TOLD else shown

@@ -6,11 +6,12 @@ import re
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
+from wireprint.gcode.sequence import END_NAMES, START_NAMES
 from wireprint.importing.draft import Draft, number, whole_if_it_is
-from wireprint.importing.expressions import Ours, Unknown, Value
+from wireprint.importing.names import TEMPERATURES, Names
 from wireprint.importing.placeholders import resolved
 from wireprint.importing.reading import Given, unescaped
-from wireprint.importing.sequences import bounds_mm, end_of, start_of
+from wireprint.importing.sequences import end_of, start_of, tell_left_out
 from wireprint.text import one_line
 
 if TYPE_CHECKING:
@@ -63,20 +64,6 @@ _POINT: Final = re.compile(
 )
 #: A circle is drawn with more corners than any other bed has.
 _ROUND_FROM: Final = 12
-_TEMPERATURES: Final = {
-    "temperature": "nozzle_c",
-    "first_layer_temperature": "nozzle_c",
-    "nozzle_temperature": "nozzle_c",
-    "nozzle_temperature_initial_layer": "nozzle_c",
-    "bed_temperature": "bed_c",
-    "first_layer_bed_temperature": "bed_c",
-    "hot_plate_temp": "bed_c",
-    "hot_plate_temp_initial_layer": "bed_c",
-    "bed_temperature_initial_layer": "bed_c",
-    "bed_temperature_initial_layer_single": "bed_c",
-}
-#: Temperatures by which conditions are judged where the source has none, °C: of PLA.
-_USUAL_C: Final = {"nozzle_c": 215.0, "bed_c": 60.0}
 
 
 def draft_of(config: Config, name: str) -> Draft:
@@ -102,7 +89,7 @@ def draft_of(config: Config, name: str) -> Draft:
     _add_name(draft, config)
     _add_bed(draft, config)
     for theirs, ours in _FIGURES.items():
-        if theirs in config and (value := number(_first(config[theirs]))) > 0:
+        if theirs in config and (value := _said(config[theirs])) > 0:
             draft.put(ours, whole_if_it_is(value), _source(config[theirs]))
     _add_kinematics(draft, config)
     _add_marlin(draft, config)
@@ -118,6 +105,12 @@ def _source(given: Given) -> str:
 def _first(given: Given) -> Given:
     """Return the first value of a vector, which is that of the first extruder."""
     return Given(re.split(r"[,;]", given.text)[0].strip().strip('"'), given.place)
+
+
+def _said(given: Given) -> float:
+    """Return a vector's first number; 0 where it is empty, as for what has no such thing."""
+    first = _first(given)
+    return number(first) if first.text else 0.0
 
 
 def _add_name(draft: Draft, config: Config) -> None:
@@ -216,8 +209,8 @@ def _add_marlin(draft: Draft, config: Config) -> None:
 
 
 def _add_temperatures(draft: Draft, config: Config) -> None:
-    for key, ours in _TEMPERATURES.items():
-        if key in config and (value := number(_first(config[key]))) > 0:
+    for key, ours in TEMPERATURES.items():
+        if key in config and (value := _said(config[key])) > 0:
             draft.temperatures.setdefault(ours, value)
 
 
@@ -234,15 +227,15 @@ def _add_gcode(draft: Draft, config: Config) -> None:
         draft.put("gcode.firmware_retraction", True, _source(given))
     _add_thumbnails(draft, config)
     _add_temperatures(draft, config)
-    for theirs, ours, taken in (
-        ("start_gcode", "gcode.start", start_of),
-        ("end_gcode", "gcode.end", end_of),
+    for theirs, ours, taken, names in (
+        ("start_gcode", "gcode.start", start_of, START_NAMES),
+        ("end_gcode", "gcode.end", end_of, END_NAMES),
     ):
         if theirs not in config:
             continue
-        lines, unknown = resolved(unescaped(config[theirs].text), _Names(config, draft))
-        for line in unknown:
-            draft.remark(f"{config[theirs].place}: left out of {ours}, not understood: {line}")
+        text = unescaped(config[theirs].text)
+        lines, unknown = resolved(text, Names(config, draft), names)
+        tell_left_out(draft, config[theirs].place, ours, unknown)
         draft.put(ours, taken(lines, draft), _source(config[theirs]))
 
 
@@ -261,54 +254,3 @@ def _add_thumbnails(draft: Draft, config: Config) -> None:
             draft.remark(f"{given.place}: a picture of {width}×{height} in {kind} is left out")
     if sizes:
         draft.put("gcode.thumbnails", sizes[:20], _source(given))
-
-
-#: What conditions ask for that differs from print to print: an ordinary print from PLA.
-_ASSUMED: Final[dict[str, Value]] = {
-    "filament_type": "PLA",
-    "filament_notes": "",
-    "filament_settings_id": "",
-    "filament_vendor": "",
-    "print_settings_id": "",
-    "print_notes": "",
-    "layer_height": 0.2,
-    "chamber_temperature": 0.0,
-    "z_offset": 0.0,
-    "total_layer_count": 100.0,
-}
-
-
-class _Names:
-    """What placeholders stand for."""
-
-    def __init__(self, config: Config, draft: Draft) -> None:
-        self._config = config
-        self._draft = draft
-
-    def __call__(self, name: str, index: int | None) -> Value:
-        """Return a value; the first extruder's where several could be meant."""
-        if name in _TEMPERATURES:
-            ours = _TEMPERATURES[name]
-            return Ours(ours, self._draft.temperatures.get(ours, _USUAL_C[ours]))
-        if name in ("max_layer_z", "layer_z", "max_print_z"):
-            return Ours("park_z_mm", 50.0, follows=True)
-        if name in ("initial_tool", "initial_extruder", "current_extruder", "current_object_idx"):
-            return 0.0
-        if name in ("layer_num", "total_toolchanges", "initial_no_support_extruder"):
-            return 0.0
-        edges = {"print_bed_min": 0, "print_bed_max": 1}
-        if name in edges and index in (0, 1):
-            return bounds_mm(self._draft)[edges[name]][index]
-        if name == "is_extruder_used":
-            return index in (None, 0)
-        given = self._config.get(name)
-        if given is None:
-            if name in _ASSUMED:
-                return _ASSUMED[name]
-            raise Unknown(name)
-        parts = [part.strip().strip('"') for part in re.split(r"[,;]", given.text)]
-        text = parts[index] if index is not None and index < len(parts) else parts[0]
-        try:
-            return float(text)
-        except ValueError:
-            return text
