@@ -293,11 +293,11 @@ def project(part, content):
     return file.getvalue()
 
 
-def cura_changes():
+def cura_changes(definition=None):
     """Cura's changed settings in its G-code: JSON in pieces, its texts escaped once more."""
-    quality = (
-        "[general]\\nversion = 4\\n\\n[values]\\nmachine_height = 199\\nretraction_amount = 3\\n"
-    )
+    machine = "" if definition is None else f"definition = {definition}\\n"
+    values = "[values]\\nmachine_height = 199\\nretraction_amount = 3\\n"
+    quality = f"[general]\\nversion = 4\\n{machine}\\n{values}"
     text = json.dumps({"global_quality": quality}).replace("\\\\", "\\\\\\\\")
     pieces = [text[at : at + 70] for at in range(0, len(text), 70)]
     head = ";FLAVOR:Marlin\n;TARGET_MACHINE.NAME:Maker Two\nG28\n"

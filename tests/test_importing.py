@@ -5,6 +5,7 @@ import tomllib
 
 import pytest
 
+import bgcode_files
 import printer_files as files
 from wireprint import examples, limits
 from wireprint._core import SettingError
@@ -281,6 +282,37 @@ def test_what_cura_changed_completes_a_printer_that_is_like_it(folder):
     assert found["bed.height_mm"] == 199
     assert found["extruder.retract_mm"] == 3
     assert found["bed.width_mm"] == 250
+
+
+def test_cura_says_which_of_its_files_has_the_rest(folder):
+    (folder / "cura.gcode").write_text(files.cura_changes(definition="maker_two"))
+    with pytest.raises(SettingError, match=r"maker_two\.def\.json has what it does not say"):
+        imported([folder / "cura.gcode"], hotend="v6")
+    both = [folder / "maker_two.def.json", folder / "cura.gcode"]
+    found = flat(imported(both, hotend="v6").values)
+    assert (found["bed.width_mm"], found["bed.height_mm"]) == (236, 199)
+
+
+def test_binary_gcode_says_what_its_printer_is(folder):
+    table = "".join(f"{key}={value}\n" for key, value in files.SLIC3R.items())
+    (folder / "b.bgcode").write_bytes(
+        bgcode_files.bgcode(
+            bgcode_files.block(0, b"Producer=PrusaSlicer 2.8.0\n"),
+            bgcode_files.block(3, b"printer_model=MAKER1\n"),
+            bgcode_files.block(2, table.encode(), bgcode_files.DEFLATE),
+            bgcode_files.block(1, b"G28\nG1 X1 ; moved\n" * 40),
+        )
+    )
+    found = flat(imported([folder / "b.bgcode"], hotend="v6").values)
+    wanted = FIGURES["maker.ini"]
+    assert {key: found.get(key) for key in wanted} == wanted
+
+
+def test_a_block_of_settings_ends_where_it_says(folder):
+    lines = files.block(files.SLIC3R)
+    after = "".join(f"; max_print_height = {height}\n" for height in range(30))
+    (folder / "more.gcode").write_text(lines + after)
+    assert imported([folder / "more.gcode"], hotend="v6").values["bed"]["height_mm"] == 243
 
 
 def test_the_heads_shape_is_asked_for(folder):

@@ -156,6 +156,7 @@ def lookup(name, index):
         ("text =~ /.*(ABS|PLA).*/", True),
         ("text !~ /PETG/", True),
         ("nozzle[0] - 15", 200),
+        ('"" + (a > 2 ? 1 : 0)', "1"),
     ],
 )
 def test_expressions_are_what_they_are_in_slicers(text, value):
@@ -170,7 +171,7 @@ def test_expressions_are_what_they_are_in_slicers(text, value):
         "(" * 5000,
         "a / 0",
         "9" * 400 + " * " + "9" * 400,
-        "text + 1",
+        "text - 1",
         "a b",
         "'x'",
         "max()",

@@ -98,7 +98,8 @@ def imported(
 
 
 def _laid_over(below: Draft, above: Draft) -> Draft:
-    if "bed" in above.values:
+    # A bed of another shape has other measures.
+    if above.get("bed.shape") is not None:
         below.values.pop("bed", None)
     toml.merge(below.values, above.values)
     below.comments |= above.comments
@@ -131,9 +132,7 @@ def _draft_of(path: Path, preset: str | None) -> Draft:
     if not path.is_file():
         raise SettingError(f"{path}: no such file")
     config_of_gcode = embedded.in_gcode(path)
-    if any(key.startswith("machine_") for key in config_of_gcode) and not any(
-        key in config_of_gcode for key in ("bed_shape", "nozzle_diameter")
-    ):
+    if "definition" in config_of_gcode:
         return cura.draft_of(config_of_gcode, str(path))
     return slic3r.draft_of(config_of_gcode, str(path))
 

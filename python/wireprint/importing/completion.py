@@ -95,7 +95,7 @@ def complete(
             f"{name}: it does not say {missing[0]}; name a printer that is like it by "
             "--like (wireprint profiles lists them), or import the printer's own profile"
         )
-        raise SettingError(msg)
+        raise SettingError(f"{msg}; {draft.hint}" if draft.hint else msg)
     missing = [key for key in _SHAPE if draft.get(f"head.{key}") is None]
     if missing:
         known = ", ".join(hotends.HOTENDS)

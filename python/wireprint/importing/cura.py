@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from wireprint._core import SettingError
 from wireprint.gcode.sequence import END_NAMES, START_NAMES
-from wireprint.importing.cura_files import known_value
+from wireprint.importing.cura_files import BASES, known_value
 from wireprint.importing.draft import Draft, number, whole_if_it_is
 from wireprint.importing.expressions import Ours, Value
 from wireprint.importing.placeholders import resolved
@@ -87,14 +87,19 @@ def draft_of(config: Config, name: str) -> Draft:
     SettingError
         Nothing in it describes a printer, or a value is damaged.
     """
-    if not any(key.startswith("machine_") for key in config):
+    if not any(key == "definition" or key.startswith("machine_") for key in config):
         msg = f"{name}: nothing in it describes a machine (machine_width, machine_height …)"
         raise SettingError(msg)
     if "machine_width" in config:
         usual = {key: Given(value, "Cura's own default") for key, value in _DEFAULTS.items()}
         config = usual | config
     draft = Draft()
-    if (given := config.get("machine_name")) is not None and given.text.strip():
+    definition = config.get("definition")
+    if definition is not None and definition.text not in BASES and "machine_width" not in config:
+        called = one_line(definition.text)[:100]
+        draft.hint = f"Cura's {called}.def.json has what it does not say; import both, it first"
+    given = config.get("machine_name", definition)
+    if given is not None and given.text.strip():
         draft.put("name", one_line(given.text)[:100], given.place)
         draft.put("known_as", [one_line(given.text)[:100]], "as Cura writes it")
     _add_bed(draft, config)

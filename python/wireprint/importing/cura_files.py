@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 #: What all machines inherit; its figures are for none in particular.
-_BASES: Final = ("fdmprinter", "fdmextruder")
+BASES: Final = ("fdmprinter", "fdmextruder")
 _MOST_ELDERS: Final = 40
 #: Name of a file in the same folder, without its end.
 _FILE: Final = re.compile(r"[\w.\- ]{1,200}")
@@ -44,7 +44,7 @@ def _machine(path: Path, text: str, heirs: tuple[Path, ...]) -> tuple[Config, Co
     extruder: Config = {}
     elder = table.get("inherits")
     chain = (*heirs, path)
-    if isinstance(elder, str) and elder not in _BASES:
+    if isinstance(elder, str) and elder not in BASES:
         place = f"{path.name}, inherits"
         other = path.parent / f"{elder}.def.json"
         if "/" in elder or "\\" in elder or "\0" in elder or not other.is_file():

@@ -23,6 +23,8 @@ class Draft:
     comments: dict[Key, str] = field(default_factory=dict)
     #: Sentences about what a user should know.
     remarks: list[str] = field(default_factory=list)
+    #: Where the rest stands, for one who misses it.
+    hint: str = ""
     #: Temperatures that the source has for its filament, °C.
     temperatures: dict[str, float] = field(default_factory=dict)
 

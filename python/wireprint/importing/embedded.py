@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from wireprint._core import GcodeError, SettingError
 from wireprint.gcode import source
-from wireprint.importing import orca
+from wireprint.importing import cura_files, orca
 from wireprint.importing.reading import MOST_BYTES, Config, Given, decoded
 from wireprint.text import one_line
 
@@ -22,15 +22,23 @@ if TYPE_CHECKING:
 _ORCA_PART: Final = "Metadata/project_settings.config"
 _PRUSA_PART: Final = "Metadata/Slic3r_PE.config"
 _ENTRY: Final = re.compile(r"; ?([a-z]\w*) = ?(.*)")
-_BEGINS: Final = (
-    "; prusaslicer_config = begin",
-    "; SuperSlicer_config = begin",
-    "; CONFIG_BLOCK_START",
-)
+#: What opens and closes such settings.
+_BLOCKS: Final = {
+    "; prusaslicer_config = begin": "; prusaslicer_config = end",
+    "; SuperSlicer_config = begin": "; SuperSlicer_config = end",
+    "; CONFIG_BLOCK_START": "; CONFIG_BLOCK_END",
+}
 #: A block has more lines than anything else that looks like one.
 _FEWEST: Final = 20
 #: Lines of Cura's that hold what was changed, as JSON in pieces.
 _CURA: Final = re.compile(r";SETTING_3 (.*)")
+#: Lines of its header, and what settings they tell.
+_HEADER: Final = 100
+_OF_HEADER: Final = {
+    ";TARGET_MACHINE.NAME": "machine_name",
+    ";FLAVOR": "machine_gcode_flavor",
+    ";EXTRUDER_TRAIN.0.NOZZLE.DIAMETER": "machine_nozzle_size",
+}
 
 
 def in_3mf(path: Path) -> Config | None:
@@ -77,15 +85,15 @@ def in_gcode(path: Path) -> Config:
         raise SettingError(str(error)) from None
     text = decoded(content, str(path))
     lines = text.splitlines()
-    begin = next((i for i, line in enumerate(lines) if line.strip() in _BEGINS), None)
+    begin = next((i for i, line in enumerate(lines) if line.strip() in _BLOCKS), None)
     if begin is None:
-        # Older slicers do not say where it begins: it is the last run of such lines.
-        begin = len(lines)
-        while begin and (lines[begin - 1].startswith(";") or not lines[begin - 1].strip()):
-            begin -= 1
-    found = orca.renamed(_entries(lines[begin:], path.name, begin + 1))
+        found = _longest_run(lines, path.name)
+    else:
+        closes = _BLOCKS[lines[begin].strip()]
+        end = next((i for i in range(begin, len(lines)) if lines[i].strip() == closes), len(lines))
+        found = _entries(lines[begin:end], path.name, begin + 1)
     if len(found) >= _FEWEST:
-        return found
+        return orca.renamed(found)
     cura = _of_cura(lines, path.name)
     if cura:
         return cura
@@ -94,6 +102,23 @@ def in_gcode(path: Path) -> Config:
         "profile (printer.cfg, .ini, .json)"
     )
     raise SettingError(msg)
+
+
+def _longest_run(lines: list[str], name: str) -> Config:
+    """Return the most settings that stand in one run of comments.
+
+    Older slicers do not say where theirs begin, and binary G-code has them ahead of the commands.
+    """
+    longest: Config = {}
+    begin = 0
+    for end in range(len(lines) + 1):
+        if end < len(lines) and (lines[end].startswith(";") or not lines[end].strip()):
+            continue
+        if end - begin >= max(_FEWEST, len(longest)):
+            found = _entries(lines[begin:end], name, begin + 1)
+            longest = found if len(found) > len(longest) else longest
+        begin = end + 1
+    return longest
 
 
 def _entries(lines: list[str], name: str, first: int) -> Config:
@@ -108,9 +133,10 @@ def _of_cura(lines: list[str], name: str) -> Config:
     """Return what Cura wrote of changed settings; a machine's own figures are not among them."""
     pieces = [match[1] for line in lines if (match := _CURA.fullmatch(line))]
     found: Config = {}
-    for line in lines[:100]:
-        if line.startswith(";TARGET_MACHINE.NAME:"):
-            found["machine_name"] = Given(line.partition(":")[2].strip(), f"{name}, TARGET_MACHINE")
+    for number, line in enumerate(lines[:_HEADER], start=1):
+        key, colon, value = line.partition(":")
+        if colon and key in _OF_HEADER and value.strip():
+            found[_OF_HEADER[key]] = Given(value.strip(), f"{name}:{number}, {key[1:]}")
     if not pieces:
         return {}
     try:
@@ -126,4 +152,6 @@ def _of_cura(lines: list[str], name: str) -> Config:
                 key, equals, value = line.partition(" = ")
                 if equals and key.isidentifier():
                     found[key] = Given(value.strip(), f"{name}, SETTING_3 {one_line(key)}")
-    return found if len(found) > 1 else {}
+    if len(found) > 1:
+        found.setdefault("definition", Given(cura_files.BASES[0], f"{name}, SETTING_3"))
+    return found if "definition" in found else {}

@@ -143,8 +143,8 @@ class _Parser:
         value = self.product()
         while sign := self.take("+", "-"):
             other = self.product()
-            if sign == "+" and isinstance(value, str) and isinstance(other, str):
-                value += other
+            if sign == "+" and (isinstance(value, str) or isinstance(other, str)):
+                value = _as_text(value) + _as_text(other)
             else:
                 found = _number(value) + _number(other) * (1 if sign == "+" else -1)
                 value = _still_ours(found, value, other)
@@ -227,6 +227,13 @@ def _still_ours(number: float, *of: Value) -> Value:
     """Return what was computed; from the height of a print comes a height above it."""
     above = [one for one in of if isinstance(one, Ours) and one.follows]
     return Ours(above[0].name, number, follows=True) if above else number
+
+
+def _as_text(value: Value) -> str:
+    """Return a value as the text that it becomes beside a text."""
+    if isinstance(value, str):
+        return value
+    return f"{_number(value):.10g}"
 
 
 def _number(value: Value) -> float:

@@ -40,6 +40,7 @@ _ASSUMED: Final[dict[str, Value]] = {
     "z_offset": 0.0,
     "total_layer_count": 100.0,
     "spiral_mode": False,
+    "has_wipe_tower": False,
     "print_sequence": "by layer",
     "timelapse_type": 0.0,
     "default_acceleration": 0.0,

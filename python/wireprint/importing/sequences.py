@@ -114,7 +114,8 @@ def end_of(lines: Iterable[str], draft: Draft) -> str:
 
 
 def tell_left_out(draft: Draft, place: str, key: str, lines: list[str]) -> None:
-    """Remark the lines of a sequence that were not understood."""
+    """Remark the lines of a sequence that were not understood, of those that matter."""
+    lines = [line for line in lines if not _NOT_WANTED.match(line)]
     if lines:
         count = f"{len(lines)} lines that are" if len(lines) > 1 else "a line that is"
         draft.remark(f"{place}: {key} is without {count} not understood: {_told(lines)}")
