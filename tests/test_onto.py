@@ -160,3 +160,21 @@ def test_the_command_continues_and_checks_both_as_one(cube, tmp_path):
 def test_what_makes_no_sense_is_a_usage_error(cube, tmp_path, arguments):
     given = [one.format(cube=cube) for one in arguments]
     assert run("slice", cube, "-o", tmp_path / "a.gcode", *given).exit_code == 2
+
+
+def test_a_start_over_what_stands_neither_probes_nor_homes_into_it(body):
+    settings = wireprint.Settings.load("bambu-x1c").but(overrides=["gcode.thumbnails=[]"])
+    first = wireprint.make(body, settings)
+    before = standing.Standing((("a.gcode", first.gcode),), settings=settings)
+    made = wireprint.make(body, settings, standing=before, at_mm=(0.0, 0.0, before.top_mm))
+    text = made.gcode.decode()
+    start = text[: text.index(";LAYER_CHANGE")]
+    assert "\nG28 X Y\n" in start
+    assert "\nG29" not in start
+    assert "; started without G29, for something stands on the bed" in text
+    assert f"G1 Z{before.top_mm + 1:.3f} " in start
+    # With the motors off z is lost, and the way home leads into the print.
+    off = first.gcode.replace(b"M17 X0.8 Y0.8 Z0.5", b"M84")
+    lost = standing.Standing((("a.gcode", off),), settings=settings)
+    with pytest.raises(wireprint.UnprintableError, match=r"homes z at \(128, 128\)"):
+        wireprint.make(body, settings, standing=lost, at_mm=(0.0, 0.0, before.top_mm))

@@ -12,7 +12,9 @@ from PIL import Image
 
 import wireprint
 from wireprint import Settings, catalogue, examples, limits
+from wireprint._core import UnprintableError
 from wireprint.certificate import check
+from wireprint.standing import Standing
 
 PRINTERS = catalogue.names("printers")
 #: What the firmwares document: marlinfw.org/docs/gcode, help.prusa3d.com (G80, R of M109),
@@ -20,7 +22,7 @@ PRINTERS = catalogue.names("printers")
 COMMON = {"G0", "G1", "G4", "G21", "G28", "G90", "G91", "G92", "M73", "M82", "M83", "M84", "M104"}
 COMMON |= {"M106", "M107", "M109", "M140", "M190", "M400"}
 DOCUMENTED = {
-    "marlin": COMMON | {"G29", "G80", "M42", "M201", "M204", "M900"},
+    "marlin": COMMON | {"G29", "G80", "M17", "M18", "M42", "M201", "M204", "M900"},
     "reprapfirmware": COMMON | {"G29", "M42", "M201", "M572"},
     "repetier": COMMON | {"M42", "M201", "M202"},
     "klipper": (COMMON - {"G29"}) | {"SET_PRESSURE_ADVANCE", "SET_VELOCITY_LIMIT", "SET_PIN"},
@@ -170,3 +172,29 @@ def test_klippers_limits_and_marlins_agree(printer):
         assert motion.marlin.max_velocity[0] == motion.max_velocity
         assert motion.marlin.max_velocity[2] == motion.max_z_velocity
         assert motion.marlin.max_velocity[3] == motion.max_extrude_only_velocity
+
+
+#: Printers that probe z in the middle of the bed, and whose makers switch the motors off.
+FORGET_Z = {"bambu-a1", "bambu-a1-mini", "creality-k1", "neptune-4"}
+
+
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_each_printer_prints_on_top_of_its_own_print_or_says_why_not(models, cubes, printer):
+    settings = settings_of(printer).but(overrides=["gcode.thumbnails=[]"])
+    text = cubes(printer).encode()
+    before = Standing((("below.gcode", text),), settings=settings)
+    options = {"standing": before, "at_mm": (0.0, 0.0, before.top_mm), "compare": False}
+    if printer in FORGET_Z:
+        with pytest.raises(UnprintableError, match=r"homes z at \(.*\), where something stands"):
+            wireprint.make(models["cube"], settings, **options)
+        return
+    made = wireprint.make(models["cube"], settings, **options)
+    assert made.certificate.ok
+    assert check(text + made.gcode, printer).ok
+
+
+@pytest.mark.parametrize("nozzle_mm", [0.4, 0.6, 0.8])
+def test_a_usual_nozzle_is_no_smaller_head_than_the_printers(models, nozzle_mm):
+    made = wireprint.make(models["mug"], settings_of("kossel-mini", nozzle_mm), compare=False)
+    assert check(made.gcode).ok
+    assert not check(made.gcode).remarks

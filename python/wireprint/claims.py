@@ -20,6 +20,8 @@ _LARGER: Final = {
 }
 #: Limits of the machine that a file may lower: group and key.
 _LIMITS: Final = (("motion", "max_velocity"), ("extruder", "max_flow_mm3_s"))
+#: Nozzles that are sold for most hot ends, mm; ``--nozzle`` fits them.
+_NOZZLES_MM: Final = (0.25, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0)
 _WAY_OUT: Final = "--printer names another"
 
 
@@ -38,8 +40,8 @@ def allowed(own: Settings) -> tuple[Settings, tuple[str, ...]]:
     """
     if own.printer.name not in catalogue.names("printers"):
         return own, ()
-    known = own.load(own.printer.name).printer
     printer = own.printer
+    known = _as_sold(own, printer.head.nozzle_mm)
     gcode = printer.gcode.model_copy(update={"macros": known.gcode.macros})
     changed: dict[str, Any] = {"homing": known.homing, "gcode": gcode}
     remarks = []
@@ -64,6 +66,12 @@ def allowed(own: Settings) -> tuple[Settings, tuple[str, ...]]:
         )
     judged = own.model_copy(update={"printer": printer.model_copy(update=changed)})
     return judged, tuple(remarks)
+
+
+def _as_sold(own: Settings, nozzle_mm: float) -> Printer:
+    """Return the printer that a file names, with the nozzle that it names if such ones are made."""
+    fitted = nozzle_mm if any(abs(nozzle_mm - one) < 1e-9 for one in _NOZZLES_MM) else None
+    return own.load(own.printer.name, nozzle_mm=fitted).printer
 
 
 def _union(own: Head, known: Head) -> tuple[Head, list[str]]:

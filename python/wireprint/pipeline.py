@@ -275,11 +275,17 @@ def make(
     def written(path: Toolpath) -> Written:
         remarks = [] if orientation is None else [str(orientation)]
         remarks += [str(place)] if place.turn_deg else []
-        return _written(path, settings, date, remarks)
+        return _written(path, begun, date, [*remarks, *started])
 
     if region and (standing is not None or at_mm != (0.0, 0.0, 0.0)):
         raise SettingError("marks cannot be printed as layers onto what stands already")
     clock = clock or Clock()
+    begun: Settings = settings
+    started: tuple[str, ...] = ()
+    if standing is not None:
+        from wireprint.beginning import over
+
+        begun, started = over(settings, standing)
     body, orientation = given, None
     if orient:
         from wireprint.orientation import orient as best
