@@ -12,10 +12,11 @@ pub const PLACES: f64 = 6.0;
 pub const EVEN: f64 = 0.6;
 /// Weight of footholds beside the peaks below, (distance ÷ ideal)². Doubled, spacing gets uneven.
 pub const ALIGN: f64 = 1.2;
-/// Weight of a post to which no diagonal leads: it costs a retraction, a hop and a brace. At an eighth,
-/// heads whose tips ask for long runs print a twentieth fewer diagonals than bulkier ones, which cannot
-/// get to such posts, and take a fiftieth longer; corners lose no posts.
-pub const LONE: f64 = 100.0;
+/// Weight of a post to which no diagonal leads: it costs a retraction, a hop and a brace. It outweighs all
+/// else, so that a slim head, which gets to more places than a bulkier one, never takes to such posts
+/// where that one's chain has none. At a thousandth, heads whose tips ask for long runs print a twentieth
+/// fewer diagonals and take a fiftieth longer; corners lose no posts by it.
+pub const LONE: f64 = 1e4;
 /// Weight of posts nearer to each other than the paper's, (1 − spacing ÷ the paper's)²: a slim head gets
 /// there, and every post more takes its time. Doubled, slim heads print corners no better than
 /// bulky ones; without it, they print for longer.
