@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from wireprint.settings import Settings
 
 #: Floating-point operations after which a print is not judged: some ten seconds of one core.
-MOST_WORK: Final = 3e10
+MOST_WORK: Final = 1.5e11
 #: Weak posts this near to a weaker one are told as one place with it, mm: the default of
 #: `wire.free_end_limit_mm`, so about the longest post.
 _PLACE_MM: Final = 20.0

@@ -20,8 +20,8 @@ pub(super) fn skew(v: DVec3) -> [[f64; 3]; 3] {
     [[0.0, -v.z, v.y], [v.z, 0.0, -v.x], [-v.y, v.x, 0.0]]
 }
 
-/// The inverse of a symmetric positive matrix, by its Cholesky factor; None where it is none.
-pub(super) fn inverse(matrix: &Six) -> Option<Six> {
+/// The lower Cholesky factor of a symmetric positive matrix; None where it is none.
+pub(super) fn lower_factor(matrix: &Six) -> Option<Six> {
     let mut lower = ZERO;
     for i in 0..6 {
         for j in 0..=i {
@@ -33,22 +33,19 @@ pub(super) fn inverse(matrix: &Six) -> Option<Six> {
             return None;
         }
     }
-    let mut inverse = ZERO;
-    for column in 0..6 {
-        let mut x = [0.0; 6];
-        for i in 0..6 {
-            let sum: f64 = (0..i).map(|k| lower[i][k] * x[k]).sum();
-            x[i] = (f64::from(u8::from(i == column)) - sum) / lower[i][i];
+    Some(lower)
+}
+
+/// Six rows times the inverse of a lower triangular matrix, from the left.
+pub(super) fn solve_lower(lower: &Six, rows: &mut [Vec<f64>; 6]) {
+    for i in 0..6 {
+        let (known, rest) = rows.split_at_mut(i);
+        let Some(own) = rest.first_mut() else { return };
+        for (&factor, row) in lower[i].iter().zip(known) {
+            own.iter_mut().zip(row.iter()).for_each(|(own, value)| *own -= factor * value);
         }
-        for i in (0..6).rev() {
-            let sum: f64 = (i + 1..6).map(|k| lower[k][i] * x[k]).sum();
-            x[i] = (x[i] - sum) / lower[i][i];
-        }
-        for (row, value) in inverse.iter_mut().zip(x) {
-            row[column] = value;
-        }
+        own.iter_mut().for_each(|own| *own /= lower[i][i]);
     }
-    Some(inverse)
 }
 
 /// Sweeps after which a symmetric matrix of three is diagonal to the last digit.
@@ -107,14 +104,22 @@ mod tests {
     }
 
     #[test]
-    fn an_inverse_undoes_its_matrix() {
+    fn a_factor_makes_its_matrix_and_solving_undoes_it() {
         let one = identity();
         let six: Six = std::array::from_fn(|i| {
             std::array::from_fn(|j| one[i][j] + 1.0 / f64::from((1 + i + j) as u32))
         });
-        let found = product(&six, &inverse(&six).unwrap());
-        let pairs = found.as_flattened().iter().zip(one.as_flattened());
-        assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12), "{found:?}");
-        assert!(inverse(&ZERO).is_none());
+        let lower = lower_factor(&six).unwrap();
+        let turned: Six = std::array::from_fn(|i| std::array::from_fn(|j| lower[j][i]));
+        let found = product(&lower, &turned);
+        let alike = |a: &Six, b: &Six| {
+            a.as_flattened().iter().zip(b.as_flattened()).all(|(a, b)| (a - b).abs() < 1e-14)
+        };
+        assert!(alike(&found, &six), "{found:?}");
+        let mut rows = lower.map(|row| row.to_vec());
+        solve_lower(&lower, &mut rows);
+        let solved: Six = std::array::from_fn(|i| std::array::from_fn(|j| rows[i][j]));
+        assert!(alike(&solved, &one), "{solved:?}");
+        assert!(lower_factor(&ZERO).is_none());
     }
 }
