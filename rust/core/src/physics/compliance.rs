@@ -86,15 +86,15 @@ impl Compliance {
     }
 
     /// The sum of matrices times the rows of slots, less what the loops wait with.
-    fn combined(&self, parts: [(Option<u32>, &Six); 2]) -> Rows {
+    fn combined(&self, parts: &[(Option<u32>, &Six)]) -> Rows {
         let mut sum: Rows = std::array::from_fn(|_| vec![0.0; self.rows()]);
-        for (slot, matrix) in parts.into_iter().filter(|part| part.0.is_some()) {
+        for &(slot, matrix) in parts.iter().filter(|part| part.0.is_some()) {
             add_product(&mut sum, matrix, &self.stored(slot));
         }
         for waiting in 0..self.waiting {
             let waiting = self.waiting(waiting);
             let mut factors = [0.0; 6];
-            for (slot, matrix) in parts {
+            for &(slot, matrix) in parts {
                 let Some(slot) = slot else { continue };
                 let own = &waiting[6 * slot as usize..][..6];
                 for (factor, row) in factors.iter_mut().zip(matrix) {
@@ -126,7 +126,7 @@ impl Compliance {
     /// Opens a node at the free end of a beam from an open node, or from one that does not move,
     /// in the next slot.
     pub(super) fn open(&mut self, from: Option<u32>, transport: &Six, flexibility: &Six) -> u32 {
-        let carried = self.combined([(from, transport), (None, &ZERO)]);
+        let carried = self.combined(&[(from, transport)]);
         let mut own = times_transposed(&carried, from, transport);
         for (own, flexible) in own.as_flattened_mut().iter_mut().zip(flexibility.as_flattened()) {
             *own += flexible;
@@ -161,7 +161,7 @@ impl Compliance {
             self.settle();
         }
         let carried = transport.map(|row| row.map(|value| -value));
-        let mut gap = self.combined([(to, &identity()), (from, &carried)]);
+        let mut gap = self.combined(&[(to, &identity()), (from, &carried)]);
         let own = to.map_or(ZERO, |slot| columns(&gap, slot));
         let other = times_transposed(&gap, from, transport);
         let middle: Six = std::array::from_fn(|i| {
@@ -214,8 +214,8 @@ impl Compliance {
                 let own = (first + k) * stride;
                 self.values[own..own + first].copy_from_slice(&row[..first]);
                 self.values[own + first..own + first + 6].copy_from_slice(&row[from..from + 6]);
-                for other in first + 6..from {
-                    self.values[other * stride + first + k] = row[other];
+                for (other, &value) in row.iter().enumerate().take(from).skip(first + 6) {
+                    self.values[other * stride + first + k] = value;
                 }
             }
             for waiting in 0..self.waiting {

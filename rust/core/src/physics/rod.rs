@@ -3,7 +3,7 @@
 //! Elements between nodes with a place and a turn each; each element stretches and bends as
 //! Maxwell's body with the modulus and the viscosity of its own age, and keeps its volume. Its
 //! rotations may be large (Crisfield, Non-linear Finite Element Analysis, 1991, 7.2), inertia is
-//! left out, and a step of time is taken backwards (Euler). SI units throughout this file.
+//! left out, and strains change at one rate within a step. SI units throughout this file.
 
 use super::band::Band;
 
@@ -193,9 +193,11 @@ impl Element {
         let (cos, sin) = (dx / length, dy / length);
         let slope = dy.atan2(dx);
         let turned = [from[2] - slope, to[2] - slope];
-        // Backward Euler of σ' = E·(ε' − σ/3η): what is left of the old, and how stiff the new is.
-        let left = 1.0 / (1.0 + modulus * step / viscosity);
-        let stiff = modulus * left;
+        // σ' = E·(ε' − σ/3η) over a step in which ε' does not change: what is left of the old, and
+        // how stiff the new is.
+        let times = modulus * step / viscosity;
+        let left = (-times).exp();
+        let stiff = if times > 0.0 { modulus * -(-times).exp_m1() / times } else { modulus };
         let section = self.volume / self.length;
         let bend = stiff * section * section / (4.0 * std::f64::consts::PI) / self.length;
         let stress = self.stress * left + stiff * (length / self.length).ln();

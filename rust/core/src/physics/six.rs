@@ -38,13 +38,13 @@ pub(super) fn lower_factor(matrix: &Six) -> Option<Six> {
 
 /// Six rows times the inverse of a lower triangular matrix, from the left.
 pub(super) fn solve_lower(lower: &Six, rows: &mut [Vec<f64>; 6]) {
-    for i in 0..6 {
+    for (i, factors) in lower.iter().enumerate() {
         let (known, rest) = rows.split_at_mut(i);
         let Some(own) = rest.first_mut() else { return };
-        for (&factor, row) in lower[i].iter().zip(known) {
+        for (&factor, row) in factors.iter().zip(known) {
             own.iter_mut().zip(row.iter()).for_each(|(own, value)| *own -= factor * value);
         }
-        own.iter_mut().for_each(|own| *own /= lower[i][i]);
+        own.iter_mut().for_each(|own| *own /= factors[i]);
     }
 }
 
