@@ -471,3 +471,13 @@ def test_what_bounds_an_imported_figure_bounds_a_profiles():
     for key, kind in BOUNDED.items():
         # Lists have no bounds of their own, but their parts'.
         assert known[key] in (bounds_of(kind), (None, None)), key
+
+
+def test_an_ultimaker_of_cura_heats_and_homes_by_itself(folder):
+    own = {key: dict(value) for key, value in files.CURA["overrides"].items()}
+    own |= {"machine_gcode_flavor": {"default_value": "Griffin"}}
+    own |= {key: {"default_value": ""} for key in ("machine_start_gcode", "machine_end_gcode")}
+    (folder / "um.def.json").write_text(json.dumps(files.CURA | {"overrides": own}))
+    found, settings = tried(imported([folder / "um.def.json"], hotend="v6"))
+    assert settings.printer.gcode.flavor == "griffin"
+    assert told(found.values["gcode"]["start"]) == ["T0", "M109 S{nozzle_c}", "G280 S1"]

@@ -25,6 +25,7 @@ DOCUMENTED = {
     "marlin": COMMON | {"G29", "G80", "M17", "M18", "M42", "M201", "M204", "M900"},
     "reprapfirmware": COMMON | {"G29", "M42", "M201", "M572"},
     "repetier": COMMON | {"M42", "M201", "M202"},
+    "griffin": COMMON | {"G280", "M42", "T0"},
     "klipper": (COMMON - {"G29"}) | {"SET_PRESSURE_ADVANCE", "SET_VELOCITY_LIMIT", "SET_PIN"},
 }
 #: Macros that the makers' own configurations bring.
@@ -97,7 +98,7 @@ def test_its_firmware_documents_every_command(cubes, printer):
     for line in cubes(printer).splitlines():
         code = line.partition(";")[0].strip()
         if code:
-            words.add(re.match(r"[GM]\d+|[A-Z_]+", code)[0])
+            words.add(re.match(r"[GMT]\d+|[A-Z_]+", code)[0])
     flavor = settings.printer.gcode.flavor
     assert words - DOCUMENTED[flavor] - (MACROS if flavor == "klipper" else set()) == set()
 
@@ -113,7 +114,7 @@ def test_no_move_asks_for_more_than_the_machine_has(cubes, printer):
 def test_it_heats_homes_and_cools(cubes, printer):
     text = cubes(printer)
     start, _, rest = text.partition(";LAYER_CHANGE")
-    assert re.search(r"^G28|^(PRINT_START|START_PRINT)", start, re.MULTILINE)
+    assert re.search(r"^G28|^G280|^(PRINT_START|START_PRINT)", start, re.MULTILINE)
     assert re.search(rf"^M109 (T0 )?S{settings_of(printer).material.nozzle_c}", start, re.MULTILINE)
     end = rest[rest.rindex(";TYPE:") :]
     assert re.search(r"^M104 S0", end, re.MULTILINE) or "PRINT_END" in end
@@ -198,3 +199,25 @@ def test_a_usual_nozzle_is_no_smaller_head_than_the_printers(models, nozzle_mm):
     made = wireprint.make(models["mug"], settings_of("kossel-mini", nozzle_mm), compare=False)
     assert check(made.gcode).ok
     assert not check(made.gcode).remarks
+
+
+def test_ultimakers_find_the_header_that_they_ask_for(cubes):
+    text = cubes("ultimaker-s3")
+    head = text[: text.index(";END_OF_HEADER\n")].splitlines()
+    assert head[0] == ";START_OF_HEADER"
+    told = dict(line[1:].split(":") for line in head[1:])
+    asked = ["TARGET_MACHINE.NAME", "GENERATOR.NAME", "GENERATOR.VERSION", "GENERATOR.BUILD_DATE"]
+    numbers = ["BUILD_PLATE.INITIAL_TEMPERATURE", "PRINT.TIME"]
+    numbers += [f"PRINT.SIZE.{end}.{axis}" for end in ("MIN", "MAX") for axis in "XYZ"]
+    numbers += [
+        f"EXTRUDER_TRAIN.0.{key}"
+        for key in ("NOZZLE.DIAMETER", "MATERIAL.VOLUME_USED", "INITIAL_TEMPERATURE")
+    ]
+    assert (told["HEADER_VERSION"], told["FLAVOR"]) == ("0.1", "Griffin")
+    assert all(told[key] for key in asked)
+    assert all(float(told[key]) >= 0 for key in numbers)
+    assert float(told["PRINT.SIZE.MAX.Z"]) == pytest.approx(28, abs=0.5)
+    # Their own reader, where it is installed.
+    charon = pytest.importorskip("Charon.filetypes.GCodeFile")
+    found = charon.GCodeFile.parseHeader(io.BytesIO(text.encode()))
+    assert found["machine_type"] == "Ultimaker S3"

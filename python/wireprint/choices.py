@@ -3,7 +3,7 @@
 from typing import Literal
 
 #: Firmware that reads the G-code; `wireprint.gcode.flavors` says how each is spoken to.
-Flavor = Literal["marlin", "reprapfirmware", "repetier", "klipper"]
+Flavor = Literal["marlin", "reprapfirmware", "repetier", "klipper", "griffin"]
 #: Words after ``;TYPE:``.
 TypeWords = Literal["own", "prusa"]
 #: What solidifies floating strokes.

@@ -170,7 +170,7 @@ def timed(text: bytes, settings: Settings) -> tuple[bytes, Estimate]:
     """Add M73 lines to the text; return it with the estimate that they come from."""
     found = timing(text, settings, per_move=True)
     template = FLAVORS[settings.printer.gcode.flavor].progress
-    return insert_progress(text, found, template), found
+    return insert_progress(text, found, template) if template else text, found
 
 
 def timing(text: bytes, settings: Settings, *, per_move: bool = False) -> Estimate:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from wireprint.gcode import document
+from wireprint.gcode import document, griffin
+from wireprint.gcode.flavors import FLAVORS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -47,4 +48,6 @@ def write(
     footer = document.footer(settings, estimate.filament_mm, estimate.total_s, layers)
     date = date or document.dated(None)
     header = document.header(settings, date, thumbnails(), remarks)
+    if FLAVORS[settings.printer.gcode.flavor].griffin:
+        header = griffin.header(path, settings, estimate, date) + header
     return Written(b"".join((header, text, footer)), estimate)

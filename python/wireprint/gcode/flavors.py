@@ -4,7 +4,7 @@ A new flavour is one more entry of `FLAVORS`, and its name in ``choices.Flavor``
 
 Sources: marlinfw.org/docs/gcode; docs.duet3d.com, "GCode dictionary"; Repetier-Firmware,
 Repetier.ino; klipper3d.org/G-Codes.html; RepRapFirmware, GCodeQueue.cpp; Klipper,
-kinematics/extruder.py.
+kinematics/extruder.py; Ultimaker/libCharon.
 """
 
 from __future__ import annotations
@@ -46,7 +46,10 @@ class Flavor:
     fan_off: str = "M107\n"
     retract: str = "G10\n"
     unretract: str = "G11\n"
+    #: Empty: it shows none, or counts by itself.
     progress: str = "M73 P{percent} R{minutes}\n"
+    #: Whether files begin with a header of the firmware's own, `wireprint.gcode.griffin`.
+    griffin: bool = False
 
     def air(self, cooling: Cooling) -> tuple[str, str]:
         """Return the commands that switch the air on and off."""
@@ -90,5 +93,13 @@ FLAVORS: Final[dict[str, Flavor]] = {
         limit="SET_VELOCITY_LIMIT ACCEL={accel:g}\n",
         advance="SET_PRESSURE_ADVANCE ADVANCE={lag:g}\n",
         advances="sideways",
+    ),
+    # Ultimaker's since the UM3: Marlin behind a program that reads the header, heats and homes.
+    "griffin": Flavor(
+        valve_on=f"{_FINISH_MOVES}M42 P{{pin}} S255\n",
+        valve_off=f"{_FINISH_MOVES}M42 P{{pin}} S0\n",
+        valve_halts=True,
+        progress="",
+        griffin=True,
     ),
 }

@@ -28,6 +28,7 @@ _FLAVORS: Final = {
     "Marlin": "marlin",
     "RepRap": "marlin",
     "UltiGCode": "marlin",
+    "Griffin": "griffin",
 }
 #: What Cura takes where a machine says nothing: fdmprinter.def.json. A head's shape is not among
 #: it, for there it is nobody's.
@@ -48,6 +49,11 @@ _DEFAULTS: Final = {
     "speed_print": "60",
     "layer_height": "0.1",
     "layer_height_0": "0.3",
+}
+#: What starts and ends a file where the printer does the rest by itself.
+_GRIFFIN: Final = {
+    "gcode.start": "\nT0\nM109 S{nozzle_c}\nG280 S1\n",
+    "gcode.end": "\nG1 Z{park_z_mm} F1200\nM107\nM104 S0\nM140 S0\n",
 }
 _FIGURES: Final = {
     "machine_nozzle_size": "head.nozzle_mm",
@@ -138,6 +144,9 @@ def draft_of(config: Config, name: str) -> Draft:
     ):
         if theirs in config:
             text = config[theirs].text.replace("\\n", "\n")
+            if draft.get("gcode.flavor") == "griffin" and not text.strip():
+                draft.put(ours, _GRIFFIN[ours], "as CuraEngine writes it")
+                continue
             lines, unknown = resolved(text, _Names(config, draft), names)
             tell_left_out(draft, config[theirs].place, ours, unknown)
             draft.put(ours, taken(lines, draft), config[theirs].place)

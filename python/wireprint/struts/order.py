@@ -11,7 +11,7 @@ import numpy as np
 from wireprint import _core
 from wireprint._core import UnprintableError
 from wireprint.certificate import check
-from wireprint.gcode import document
+from wireprint.gcode import document, file
 from wireprint.stages import path_params
 from wireprint.struts.graph import Graph
 from wireprint.struts.knees import kneed, straight
@@ -122,10 +122,7 @@ def order(
         )
     params = path_params(settings) | {"skirt_rings": 0, "brim_rings": 0}
     path = _core.lattice_toolpath(ordered.ends, floating.astype(np.bool_), params)
-    text, estimate = document.timed(document.commands(path, settings), settings)
-    footer = document.footer(settings, estimate.filament_mm, estimate.total_s, 1)
-    head = document.header(settings, date or document.dated(None))
-    gcode = head + text + footer
+    gcode, estimate = file.write(path, settings, date)
     certificate = check(gcode, settings)
     if not certificate.ok:
         raise UnprintableError(f"the order that was found breaks the rules: {_first(certificate)}")

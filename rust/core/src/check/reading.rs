@@ -217,7 +217,7 @@ impl Notes {
             Effect::Prepares if !self.begun => {
                 count(&mut self.preparing, command);
                 self.placed = [false; 3];
-                if matches!(command, Command::Named(..)) {
+                if vocabulary::homes_by_itself(command) {
                     self.prepared = true;
                     self.nozzle.forget();
                 }

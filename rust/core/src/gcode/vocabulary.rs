@@ -70,7 +70,9 @@ const HARMLESS_NAMED: &[&str] = &[
 
 /// They probe, level, calibrate, clean, load filament, set the currents by which motors keep their
 /// place, or run a macro of the printer's.
-const PREPARES_G: &[u32] = &[12, 29, 30, 31, 32, 33, 34, 35, 76, 80, 81];
+const PREPARES_G: &[u32] = &[12, 29, 30, 31, 32, 33, 34, 35, 76, 80, 81, PRIMES];
+/// Ultimaker's priming (CuraEngine writes it first); those printers heat and home ahead of a file.
+const PRIMES: u32 = 280;
 const PREPARES_M: &[u32] = &[
     48, 98, 280, 320, 321, 322, 323, 374, 375, 376, 401, 402, 420, 421, 557, 558, 561, 701, 702,
     703, 906, 907, 908, 910, 913, 915,
@@ -242,6 +244,13 @@ pub fn homes_otherwise(command: &Command<'_>) -> bool {
         if words.letters().any(|word| !b"XYZOLW".contains(&word)))
 }
 
+/// Whether the printer is taken to have homed by itself when it has carried out a command that
+/// prepares a print.
+#[must_use]
+pub fn homes_by_itself(command: &Command<'_>) -> bool {
+    matches!(command, Command::Named(..) | Command::G(PRIMES, _))
+}
+
 /// What a command is called in a list: its code or name, without its words.
 #[must_use]
 pub fn name(command: &Command<'_>) -> String {
@@ -302,7 +311,15 @@ mod tests {
 
     #[test]
     fn what_prepares_a_print_is_told_from_what_never_is_judged() {
-        for line in ["G29", "G80", "M420 S1", "PRINT_START BED=60", "BED_MESH_CALIBRATE", "G29.1"] {
+        for line in [
+            "G29",
+            "G80",
+            "G280 S1",
+            "M420 S1",
+            "PRINT_START BED=60",
+            "BED_MESH_CALIBRATE",
+            "G29.1",
+        ] {
             assert_eq!(effect_of(line, Dialect::Marlin), Effect::Prepares, "{line}");
         }
         for line in [
