@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import shared_models
-from wireprint import KINDS, examples
+from wireprint import examples
 from wireprint.pipeline import make
 
 FOLDER = Path(__file__).parent / "goldens"
@@ -49,17 +49,11 @@ def evaluate(model, settings, row):
 def figures(mesh, settings):
     """Figures of a print, rounded, and the hash of its toolpath; all as text."""
     made = make(mesh, settings, partial=True)
-    told = made.figures() | {"diagonals": diagonals(made.wireframe.strand_kinds)}
+    told = made.figures() | {"diagonals": made.wireframe.diagonal_count}
     told["breaches"] = sum(told["breaches"].values())
     told["unprinted_mm2"] = sum(part["area_mm2"] for part in told["unprinted"])
     cells = {name: f"{told[name]:.{places}f}" for name, (places, _) in FIGURES.items()}
     return cells | {"toolpath": fingerprint(made.toolpath)}
-
-
-def diagonals(kinds):
-    """Count the diagonals: runs of strands of that kind, for one may be laid in several."""
-    here = kinds == KINDS.index("diagonal")
-    return int(np.count_nonzero(here & ~np.concatenate([[False], here[:-1]])))
 
 
 def fingerprint(path):

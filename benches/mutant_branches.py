@@ -167,6 +167,7 @@ class Branches:
             return None
         if any(child.type == "function_modifiers" for child in node.children):
             return None
-        body = self.text(node.child_by_field_name("body"))
-        head = text[: text.rindex(body)]
+        # Nothing is broken in a signature, so it is as it was, whatever the body has become.
+        head = self.raw(node.start_byte, node.child_by_field_name("body").start_byte)
+        body = text[len(head) :]
         return f"{head}{{ if {asked} {{ return {mutant['replacement']}; }} {body[1:]}"

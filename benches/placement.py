@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = """# Where posts stand: our rule beside the paper's
 
 Written by `python benches/placement.py`. The paper (#3) averages even spacing with the points of
-the slice below; ours is the cheapest chain of candidates (ARCHITECTURE, "Posts"). Defaults of
+the slice below; ours is the cheapest chain of candidates (algorithms.md). Defaults of
 `kossel-mini` and `abs`, 3–4 mm slabs for both, so that only the placement differs.
 
 | model | rule | posts | alignment, mm | unevenness | deviation, mm | as chords, mm | breaches |

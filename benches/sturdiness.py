@@ -20,12 +20,9 @@ import tempfile
 from pathlib import Path
 from statistics import median
 
-import numpy as np
-
 import shared_models
 import sturdiness_goals
 from certificates import BREACHES
-from wireprint import KINDS
 from wireprint.pipeline import make
 from wireprint.timing import clock
 
@@ -90,17 +87,11 @@ def evaluate(model, settings, row, most_s):
     told = made.figures()
     row["print_time_s"], row["coverage"] = told["print_time_s"], told["coverage"]
     row["breaches"] = sum(told["breaches"][name] for name in BREACHES)
-    row["posts"], row["diagonals"] = made.wireframe.post_count, diagonals(made.wireframe)
+    row["posts"], row["diagonals"] = made.wireframe.post_count, made.wireframe.diagonal_count
     row["braced"] = row["diagonals"] / max(1, row["posts"])
     row["travel_share"] = told["travel_mm"] / told["strand_mm"]
     modulus_mpa = MODULI_MPA[settings.material.name]
     row |= stiffness(made.gcode, settings.printer.head.nozzle_mm, modulus_mpa, most_s)
-
-
-def diagonals(wireframe):
-    """Count the diagonals: runs of strands of that kind, for one may be laid in several."""
-    here = wireframe.strand_kinds == KINDS.index("diagonal")
-    return int(np.count_nonzero(here & ~np.concatenate([[False], here[:-1]])))
 
 
 def stiffness(gcode, diameter_mm, modulus_mpa, most_s):

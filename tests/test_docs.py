@@ -82,3 +82,22 @@ def test_every_module_of_the_package_is_in_the_module_table():
             continue
         dotted = ".".join(parts)
         assert f"`{dotted}`" in text or f"`{parts[0]}.*`" in text, dotted
+
+
+def core_file(name):
+    """A file of the core, as docs/walk.md names it; None where there is none."""
+    roots = [ROOT, ROOT / "rust/core", ROOT / "rust/core/src", ROOT / "rust/core/src/wireframe"]
+    return next((root / name for root in roots if (root / name).exists()), None)
+
+
+def test_the_walk_names_functions_where_they_are():
+    text = (ROOT / "docs/walk.md").read_text(encoding="utf-8")
+    for name in re.findall(r"`([\w/]+(?:\.rs|/\w+))`", text):
+        assert core_file(name), name
+    for name, function in re.findall(r"`([\w/]+\.rs)`\)?,\s+`([\w:]+)`", text):
+        source = core_file(name).read_text(encoding="utf-8")
+        assert f"fn {function.rpartition(':')[2]}" in source, (name, function)
+    sources = sorted((ROOT / "rust/core/src").rglob("*.rs"))
+    core = "\n".join(source.read_text(encoding="utf-8") for source in sources)
+    for name in re.findall(r"`([a-z]+(?:_[a-z]+)*)`", text):
+        assert re.search(rf"\b(fn|mod) {name}\b", core), name

@@ -8,21 +8,13 @@ import trimesh
 
 import random_parts
 import random_solids
+from scaled_machines import scaled
 from wireprint.mesh import Mesh, load_mesh
 from wireprint.pipeline import make
 from wireprint.settings import Settings
 from wireprint.stages import wireframe
 
 POST, DIAGONAL = 2, 3
-#: Lengths and speeds of a profile that grow with the machine.
-GROWING = [
-    *(f"head.{name}_mm" for name in ("nozzle", "tip_radius", "cone_height", "block_radius")),
-    *(f"head.{name}_mm" for name in ("carriage_height", "carriage_radius")),
-    *(f"motion.max_z_{name}" for name in ("velocity", "accel")),
-    *(f"speeds.{name}_mm_s" for name in ("print", "travel", "first_layer")),
-    *(f"wire.{name}_mm" for name in ("span_limit", "free_end_limit", "cap_spacing")),
-    *(f"wire.{name}_mm" for name in ("deviation_target", "travel_lift")),
-]
 
 
 def tube():
@@ -135,18 +127,6 @@ def test_a_slimmer_head_prints_random_parts_no_worse(seed):
     assert slim[1] >= least(slim, bulky), (slim, bulky)
     finer = max(1, slim[0] / max(1, bulky[0]))
     assert slim[2] <= 1.02 * bulky[2] * finer + HOP_S, (slim, bulky)
-
-
-def scaled(machine, factor):
-    """Settings of a machine that is so many times as large, and as fast."""
-    plain = Settings.load(*machine)
-    overrides = [f"wire.pause_s={plain.pause_s}"]
-    for name in GROWING:
-        section, key = name.split(".")
-        of = plain.wire if section == "wire" else getattr(plain.printer, section)
-        overrides.append(f"{name}={getattr(of, key) * factor}")
-    overrides.append(f"extruder.max_flow_mm3_s={plain.printer.extruder.max_flow_mm3_s * factor**3}")
-    return Settings.load(*machine, overrides=overrides)
 
 
 def posts_at(model, machine, factor, scale=1.0):

@@ -12,7 +12,7 @@ import random_solids
 from layered_solids import Body
 from random_parts import Part, disc, rectangle
 from random_solids import Solid, block, lathed
-from wireprint import KINDS, Settings, make
+from wireprint import Settings, make
 
 MACHINES = (
     ("kossel-mini", "abs"),
@@ -130,7 +130,4 @@ def test_what_lies_leans_or_hangs_high_is_whole(name, machine, settings):
 @pytest.mark.parametrize("name", ["leaning", "hooked"])
 def test_thin_contours_are_trusses(name, machine, settings):
     wireframe = make(NAMED[name].mesh(), settings[machine]).wireframe
-    diagonal = wireframe.strand_kinds == KINDS.index("diagonal")
-    # A diagonal may be laid in several strands.
-    begun = np.count_nonzero(diagonal & ~np.concatenate([[False], diagonal[:-1]]))
-    assert begun >= 0.85 * wireframe.post_count
+    assert wireframe.diagonal_count >= 0.85 * wireframe.post_count

@@ -82,19 +82,7 @@ class Mask(Shape):
             raise ValueError("vertices holds a number that is not finite, or absurd")
         return self
 
-    def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points are nearest to a marked triangle.
-
-        Parameters
-        ----------
-        points, normals
-            See `wireprint.regions.Region.covers`.
-
-        Returns
-        -------
-        numpy.ndarray
-            bool of shape (N,).
-        """
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         covered: Flags = self.marked[self._facets.nearest(np.ascontiguousarray(points))]
         return covered
 

@@ -54,6 +54,9 @@ class Shape(BaseModel):
         numpy.ndarray
             bool of shape (N,).
         """
+        return self._covered(points, normals)
+
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         raise NotImplementedError
 
 
@@ -71,19 +74,7 @@ class Box(Shape):
             raise ValueError("low_mm exceeds high_mm")
         return self
 
-    def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie in the box.
-
-        Parameters
-        ----------
-        points, normals
-            See `wireprint.regions.Region.covers`.
-
-        Returns
-        -------
-        numpy.ndarray
-            bool of shape (N,).
-        """
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         inside = (points >= self.low_mm) & (points <= self.high_mm)
         return inside[:, 0] & inside[:, 1] & inside[:, 2]
 
@@ -96,19 +87,7 @@ class Sphere(Shape):
     centre_mm: Point
     radius_mm: Length
 
-    def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie in the ball.
-
-        Parameters
-        ----------
-        points, normals
-            See `wireprint.regions.Region.covers`.
-
-        Returns
-        -------
-        numpy.ndarray
-            bool of shape (N,).
-        """
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         squared: Floats = np.square(points - self.centre_mm).sum(axis=1)
         return squared <= self.radius_mm**2
 
@@ -127,19 +106,7 @@ class HalfSpace(Shape):
             raise ValueError("normal has no direction")
         return self
 
-    def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie on the side that the normal points to.
-
-        Parameters
-        ----------
-        points, normals
-            See `wireprint.regions.Region.covers`.
-
-        Returns
-        -------
-        numpy.ndarray
-            bool of shape (N,).
-        """
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         ahead: Floats = points @ (np.asarray(self.normal) / np.linalg.norm(self.normal))
         return ahead >= self.offset_mm
 
@@ -158,19 +125,7 @@ class ZRange(Shape):
             raise ValueError("low_mm exceeds high_mm")
         return self
 
-    def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points lie between the heights.
-
-        Parameters
-        ----------
-        points, normals
-            See `wireprint.regions.Region.covers`.
-
-        Returns
-        -------
-        numpy.ndarray
-            bool of shape (N,).
-        """
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         height = points[:, 2]
         inside = np.ones(len(points), np.bool_)
         if self.low_mm is not None:
@@ -186,19 +141,7 @@ class Predicate(Shape):
     #: float64 points of shape (N, 3), mm → bool of shape (N,).
     function: Callable[[Floats], npt.ArrayLike]
 
-    def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Ask the function.
-
-        Parameters
-        ----------
-        points, normals
-            See `wireprint.regions.Region.covers`.
-
-        Returns
-        -------
-        numpy.ndarray
-            bool of shape (N,).
-        """
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         covered = np.asarray(self.function(points))
         if covered.dtype != np.bool_ or covered.shape != (len(points),):
             msg = (

@@ -43,19 +43,7 @@ class Stroke(Shape):
             raise ValueError("one of the normals has no direction")
         return self
 
-    def covers(self, points: Floats, normals: Floats) -> Flags:
-        """Tell which points the stroke covers.
-
-        Parameters
-        ----------
-        points, normals
-            See `wireprint.regions.Region.covers`.
-
-        Returns
-        -------
-        numpy.ndarray
-            bool of shape (N,).
-        """
+    def _covered(self, points: Floats, normals: Floats) -> Flags:
         covered = np.zeros(len(points), np.bool_)
         ends = np.asarray(self.points_mm)
         low, high = ends.min(axis=0) - self.radius_mm, ends.max(axis=0) + self.radius_mm

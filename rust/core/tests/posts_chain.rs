@@ -15,6 +15,9 @@ use wireprint_core::wireframe::place::posts::{
 };
 use wireprint_core::wireframe::place::tuning::{ALIGN, CLOSE, EVEN, LONE};
 
+/// Height of what posts stand on, mm.
+const FOOT: f64 = 3.0;
+
 fn head() -> Head {
     Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 40.0).unwrap()
 }
@@ -34,8 +37,8 @@ fn candidates(curve: &Curve, places: &[(f64, f64, f64)], height: f64) -> Vec<Can
         .map(|&(share, offset, spacing)| {
             let s = share * curve.length();
             let station = curve.station(0.0, s);
-            let peak = station.position().extend(height);
-            let base = peak.with_z(0.0) + DVec3::X * offset;
+            let peak = station.position().extend(FOOT + height);
+            let base = peak.with_z(FOOT) + DVec3::X * offset;
             let post = Post { base, peak, s };
             Candidate { post, station, offset, spacing, room: f64::INFINITY, kept: None }
         })

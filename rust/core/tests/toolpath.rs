@@ -1,42 +1,14 @@
 //! Stage 5: what the head does with strands, against plain expectations.
 
+mod printer;
+
 use glam::{DVec2, DVec3};
+use printer::PATH as PARAMS;
 use proptest::prelude::*;
 use wireprint_core::climb::Climb;
 use wireprint_core::strand::{Kind, Strand};
 use wireprint_core::toolpath::{
     Advance, Cooling, PathParams, Plate, Strategy as Holding, Toolpath, toolpath,
-};
-
-/// A 0.7 mm strand from 1.75 mm filament, nothing on the bed but the print.
-const PARAMS: PathParams = PathParams {
-    standing: 0.0,
-    centre: DVec2::new(100.0, 80.0),
-    plate: Plate::Rectangle(DVec2::new(100.0, 80.0)),
-    strand: 0.7,
-    filament: 1.75,
-    first_layer: 0.35,
-    print_speed: 30.0,
-    bed_speed: 20.0,
-    layer_speed: 15.0,
-    slow_speed: 5.0,
-    travel_speed: 150.0,
-    strategy: Holding::Pause,
-    cooling: Cooling::Valve,
-    pause: 1.2,
-    climb: None,
-    overshoot: 0.5,
-    pressure_lag: 0.0,
-    advance: Advance::None,
-    retract: 4.0,
-    layer_retract_over: 2.0,
-    retract_speed: 30.0,
-    unretract_speed: 25.0,
-    prime: 5.0,
-    travel_lift: 1.0,
-    skirt_rings: 0,
-    skirt_gap: 3.0,
-    brim_rings: Some(0),
 };
 
 fn strand(from: [f64; 3], to: [f64; 3], kind: Kind) -> Strand {
@@ -286,6 +258,20 @@ fn the_air_stops_two_diameters_short_of_what_a_strand_lands_on() {
 }
 
 #[test]
+fn a_contour_goes_on_with_air_where_nothing_lies_below_it() {
+    // From a peak to a peak, bent in the air between them; the last one was printed before.
+    let mut all = vec![
+        strand([20.0, 0.0, 0.35], [20.0, 0.0, 6.0], Kind::Post),
+        strand([0.0, 0.0, 0.35], [0.0, 0.0, 6.0], Kind::Post),
+    ];
+    all.extend(strands_along(&[[0.0, 0.0, 6.0], [9.0, 3.0, 6.0], [20.0, 0.0, 6.0]], Kind::Contour));
+    let path = plan(&all, &PARAMS);
+    let contour = path.iter().filter(|m| m.kind == Kind::Contour);
+    let airy: Vec<bool> = contour.map(|m| m.air).collect();
+    assert_eq!(airy, [true, true, false]);
+}
+
+#[test]
 fn too_short_a_stroke_keeps_its_air() {
     let short = [
         strand([0.0, 0.0, 6.0], [4.0, 0.0, 6.0], Kind::Cap),
@@ -391,6 +377,21 @@ fn firmware_that_advances_pressure_is_left_to_it() {
     for pair in fed.chunks(2) {
         assert!((pair[0].0 - full).abs() < 1e-9 && (pair[1].0 + full).abs() < 1e-9, "{fed:?}");
         assert!(pair[0].1.z < 1.0 && pair[1].1.z > 5.0, "{fed:?}");
+    }
+}
+
+#[test]
+fn only_floating_strokes_are_overshot_and_others_neither_pause_nor_go_on() {
+    let lone = [
+        strand([0.0, 0.0, 6.0], [9.0, 0.0, 6.0], Kind::Cap),
+        strand([9.0, 0.0, 6.0], [9.0, 9.0, 6.0], Kind::Cap),
+    ];
+    for strategy in [Holding::Overshoot, Holding::Pause, Holding::Slow] {
+        let path = plan(&lone, &PathParams { strategy, cooling: Cooling::Still, ..PARAMS });
+        let kinds: Vec<Kind> = path.iter().map(|m| m.kind).collect();
+        let first = kinds.iter().position(|&kind| kind == Kind::Cap).unwrap();
+        assert_eq!(kinds[first..], [Kind::Cap, Kind::Cap, Kind::Retract, Kind::Travel]);
+        assert!(path.iter().all(|m| m.pause == 0.0));
     }
 }
 

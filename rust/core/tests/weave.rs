@@ -9,10 +9,15 @@ use solids::Random;
 use wireprint_core::geometry::curve::{Curve, Station};
 use wireprint_core::head::Head;
 use wireprint_core::stroke::Strokes;
-use wireprint_core::wireframe::place::posts::{Candidate, Post, candidates, close, leads_down};
+use wireprint_core::wireframe::place::posts::{
+    Begin, Candidate, Post, candidates, close, leads_down,
+};
 use wireprint_core::wireframe::place::rim::Rim;
 use wireprint_core::wireframe::place::tuning::{ALIGN, EVEN, TURN};
 use wireprint_core::wireframe::place::weave::{Home, LONGEST_WAIT, Place, WeaveParams, weave};
+
+/// Height of what posts stand on, mm.
+const FOOT: f64 = 3.0;
 
 fn head() -> Head {
     Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 40.0).unwrap()
@@ -35,9 +40,10 @@ fn rings(outer: f64, gap: f64, height: f64) -> (Vec<Place>, Home) {
     let pitch = 0.2 * params(height).run;
     let mut places = Vec::new();
     for (wall, curve) in walls.iter().enumerate() {
-        let points = curve.points()[..120].iter().map(|p| p.extend(0.0)).collect();
+        let points = curve.points()[..120].iter().map(|p| p.extend(FOOT)).collect();
         let rim = Rim { points, closed: true, printed: true, held: true, ..Rim::default() };
-        for candidate in candidates(curve, height, 0.0, None, &[&rim], pitch, false) {
+        let begin = Begin { s: 0.0, foothold: None };
+        for candidate in candidates(curve, FOOT + height, begin, &[&rim], 0.7, pitch, false) {
             let near = walls[0].nearest(candidate.post.peak.truncate());
             places.push(Place { wall, along: near.s, candidate });
         }
@@ -116,9 +122,9 @@ fn the_weave_is_the_cheapest_of_all() {
             let (share, wall) = (along / (count as f64 + 1.0), usize::from(random.unit() < 0.5));
             let s = share * walls[wall].length();
             let station = walls[wall].station(0.0, s);
-            let peak = station.position().extend(height);
+            let peak = station.position().extend(FOOT + height);
             let offset = random.between(-2.0, 2.0).max(0.0);
-            let base = peak.with_z(0.0) + DVec3::X * offset;
+            let base = peak.with_z(FOOT) + DVec3::X * offset;
             let post = Post { base, peak, s };
             let (spacing, room) = (0.0, f64::INFINITY);
             let candidate = Candidate { post, station, offset, spacing, room, kept: None };

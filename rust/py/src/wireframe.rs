@@ -133,6 +133,12 @@ impl Wireframe {
         self.core.posts.len()
     }
 
+    /// Number of diagonals, each of which may be laid in several strands.
+    #[getter]
+    fn diagonal_count(&self) -> usize {
+        self.core.diagonals()
+    }
+
     /// Number of strands.
     #[getter]
     fn strand_count(&self) -> usize {

@@ -2,12 +2,11 @@
 
 use glam::DVec2;
 
+use crate::geometry::polygon::signed_area;
 use crate::geometry::segments::Segments;
 
-/// Turns of more than this within [`CORNER_REACH`] are corners, rad.
+/// Turns of more than this are corners, rad.
 const CORNER: f64 = 0.6;
-/// Reach over which a corner's turn is measured, mm.
-const CORNER_REACH: f64 = 1.0;
 
 /// Room for the points of most arcs between two posts.
 const USUAL: usize = 16;
@@ -105,7 +104,6 @@ pub struct Curve {
     at: Vec<f64>,
     moments: Vec<Moments>,
     segments: Segments,
-    corners: Vec<f64>,
     closed: bool,
 }
 
@@ -141,10 +139,17 @@ impl Curve {
         }
         let ends: Vec<[DVec2; 2]> = kept.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let segments = Segments::new(&ends);
-        let corners = Vec::new();
-        let mut curve = Self { points: kept, at, moments, segments, corners, closed };
-        curve.corners = curve.find_corners();
-        Some(curve)
+        Some(Self { points: kept, at, moments, segments, closed })
+    }
+
+    /// The closed curve through `points` that runs round the same way as another one: holes run
+    /// against what they lie in.
+    #[must_use]
+    pub fn alongside(mut points: Vec<DVec2>, other: &Self) -> Option<Self> {
+        if (signed_area(&points) < 0.0) != (signed_area(&other.points) < 0.0) {
+            points.reverse();
+        }
+        Self::new(&points, true)
     }
 
     /// Total length, mm.
@@ -272,23 +277,20 @@ impl Curve {
         out
     }
 
-    /// Arc lengths of the vertices where the direction turns by more than [`CORNER`] within
-    /// [`CORNER_REACH`]: the corners that want a post. Of neighbouring ones the sharpest is kept.
+    /// Arc lengths of the vertices where the direction turns by more than 0.6 rad between the
+    /// places `reach` mm before and behind: the corners that want a post. Of those nearer to each
+    /// other than that the sharpest is kept.
     #[must_use]
-    pub fn corners(&self) -> &[f64] {
-        &self.corners
-    }
-
-    fn find_corners(&self) -> Vec<f64> {
+    pub fn corners(&self, reach: f64) -> Vec<f64> {
         let count = self.points.len() - 1;
         let interior = if self.closed { 0..count } else { 1..count };
         let mut kept: Vec<(f64, f64)> = Vec::new();
-        for (s, cosine) in interior.map(|i| (self.at[i], self.bend(i))) {
+        for (s, cosine) in interior.map(|i| (self.at[i], self.bend(i, reach))) {
             if cosine >= CORNER.cos() {
                 continue;
             }
             match kept.last_mut() {
-                Some(last) if s - last.0 < CORNER_REACH => {
+                Some(last) if s - last.0 < reach => {
                     if cosine < last.1 {
                         *last = (s, cosine);
                     }
@@ -299,12 +301,12 @@ impl Curve {
         kept.into_iter().map(|(s, _)| s).collect()
     }
 
-    /// Cosine of the turn at a vertex, between the points [`CORNER_REACH`] before and after it.
-    fn bend(&self, vertex: usize) -> f64 {
+    /// Cosine of the turn at a vertex, between the points `reach` mm before and after it.
+    fn bend(&self, vertex: usize, reach: f64) -> f64 {
         let (s, p) = (self.at[vertex], self.points[vertex]);
-        let before = s - CORNER_REACH;
+        let before = s - reach;
         let back = p - self.position(if self.closed { before } else { before.max(0.0) });
-        let ahead = self.position(s + CORNER_REACH) - p;
+        let ahead = self.position(s + reach) - p;
         let lengths = (back.length_squared() * ahead.length_squared()).sqrt();
         if lengths > 0.0 { back.dot(ahead) / lengths } else { 1.0 }
     }
@@ -378,9 +380,45 @@ mod tests {
         assert_eq!(curve.arc(1.0, 8.0), [(1.0, 0.0), (9.0, 0.0)].map(DVec2::from));
     }
 
+    /// The corners by their definition: of the vertices that turn by more than 0.6 rad over `reach`,
+    /// none has a sharper one before it that is nearer than that, nor a sharper one behind.
     #[test]
-    fn corners_are_found_once() {
-        assert_eq!(square().corners().len(), 4);
+    fn corners_are_the_sharpest_turns_over_their_reach() {
+        assert_eq!(square().corners(1.0), [0.0, 10.0, 20.0, 30.0]);
+        let open = Curve::new(&square().points()[..4], false).unwrap();
+        assert_eq!(open.corners(1.0), [10.0, 20.0]);
+        // A corner cut by 0.8 mm turns by 45° twice within its reach, and by less over a shorter one.
+        let cut = [(-9.0, 0.0), (0.0, 0.0), (0.7, 0.1), (1.0, 0.9), (1.0, 9.0)].map(DVec2::from);
+        let cut = Curve::new(&cut, false).unwrap();
+        let turn = |at: usize, reach: f64| {
+            let s = cut.at[at];
+            let ways = [(s - reach, s), (s, s + reach)];
+            let [a, b] = ways.map(|(from, to)| cut.position(to) - cut.position(from));
+            a.angle_to(b).abs()
+        };
+        for reach in [0.3, 0.75, 0.9, 1.2, 2.0, 4.0] {
+            let mut wanted: Vec<(f64, f64)> = Vec::new();
+            for (s, turn) in (1..4).map(|i| (cut.at[i], turn(i, reach))).filter(|t| t.1 > 0.6) {
+                match wanted.last().copied() {
+                    Some(last) if s - last.0 < reach && turn <= last.1 => {}
+                    Some(last) if s - last.0 < reach => *wanted.last_mut().unwrap() = (s, turn),
+                    _ => wanted.push((s, turn)),
+                }
+            }
+            let wanted: Vec<f64> = wanted.into_iter().map(|t| t.0).collect();
+            assert_eq!(cut.corners(reach), wanted, "{reach}");
+        }
+    }
+
+    #[test]
+    fn a_hole_is_followed_the_way_round_its_wall_is() {
+        let wall = square();
+        let hole = [(2.0, 2.0), (2.0, 5.0), (6.0, 5.0), (6.0, 2.0)].map(DVec2::from);
+        let own = Curve::new(&hole, true).unwrap();
+        let along = Curve::alongside(hole.to_vec(), &wall).unwrap();
+        assert!(signed_area(own.points()) == -12.0 && signed_area(along.points()) == 12.0);
+        assert!(along.is_closed() && along.length() == own.length());
+        assert_eq!(Curve::alongside(hole.to_vec(), &own).unwrap().points(), own.points());
     }
 
     #[test]

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
+use super::features::FLAT_STEP;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// Faces steeper than this (cosine of the normal's angle from the vertical) part at once from each
@@ -15,8 +16,6 @@ use crate::mesh::{Mesh, NO_FACE};
 const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Lines that rise by more than this part of their length are not level: a degree.
 const RISE: f64 = 0.017;
-/// Lines within this height of each other count as one, mm.
-const STEP: f64 = 0.01;
 
 /// All crests at one height that turn the same way.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +54,7 @@ pub fn crests(mesh: &Mesh, least: f64) -> Vec<Crest> {
             let sides = [face, beyond as usize].map(|face| falls(mesh, face, z));
             let [Some(falls), Some(other)] = sides else { continue };
             if falls == other {
-                let key = ((z / STEP).round() as i64, falls);
+                let key = ((z / FLAT_STEP).round() as i64, falls);
                 let none = Crest { z, falls, lines: Vec::new() };
                 let crest = by_height.entry(key).or_insert(none);
                 crest.lines.push([a.truncate(), b.truncate()]);
@@ -70,6 +69,9 @@ fn falls(mesh: &Mesh, face: usize, z: f64) -> Option<bool> {
     let [a, b, c] = mesh.corners(face);
     let normal = (b - a).cross(c - a);
     let (low, high) = (z - a.z.min(b.z).min(c.z), a.z.max(b.z).max(c.z) - z);
-    let is_flat = low.max(high) <= STEP;
+    let is_flat = low.max(high) <= FLAT_STEP;
     (normal.z.abs() > STEEP * normal.length() && !is_flat).then_some(low > high)
 }
+
+#[cfg(test)]
+mod tests;

@@ -50,8 +50,9 @@ impl Feature {
 
 /// Faces whose normal leans less than this from the vertical (cosine) count as horizontal.
 pub(super) const HORIZONTAL: f64 = 0.9999;
-/// Horizontal faces within this height of each other form one flat, mm.
-const FLAT_STEP: f64 = 0.01;
+/// Horizontal faces within this height of each other form one flat, mm. A model's own unit, whatever
+/// the printer: files of meshes round their coordinates to less, and what is meant to differ differs more.
+pub(super) const FLAT_STEP: f64 = 0.01;
 
 /// The features of at least `least` mm, sorted by height; size as in [`Feature::size`].
 #[must_use]

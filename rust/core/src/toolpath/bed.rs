@@ -85,3 +85,6 @@ fn outset(loops: &[Vec<DVec2>], distance: f64) -> Vec<Vec<DVec2>> {
         .map(|outer| outer.into_iter().map(|[x, y]| DVec2::new(x, y)).collect())
         .collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -69,3 +69,6 @@ fn lateness(strand: &Strand, climb: Climb, p: &PathParams) -> f64 {
 fn lies(strand: &Strand, p: &PathParams) -> bool {
     p.is_on_bed(strand.from.z.max(strand.to.z))
 }
+
+#[cfg(test)]
+mod tests;

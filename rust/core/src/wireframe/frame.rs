@@ -96,6 +96,13 @@ impl Wireframe {
         Self { sliced: self.sliced.clone(), posts, strands, unprinted }
     }
 
+    /// Number of diagonals: one may be laid in several strands, one after the other.
+    #[must_use]
+    pub fn diagonals(&self) -> usize {
+        let begins = |run: &&[Strand]| run[0].kind == Kind::Diagonal;
+        self.strands.chunk_by(|one, next| one.kind == next.kind).filter(begins).count()
+    }
+
     /// Length of all strands of a kind, mm.
     #[must_use]
     pub fn length_of(&self, kind: Kind) -> f64 {
@@ -146,6 +153,11 @@ mod tests {
         let left = frame.without(&[0, 1, 3], 0.5);
         assert_eq!(left.posts.iter().map(|p| p.post).collect::<Vec<_>>(), [other]);
         assert_eq!(left.strands.iter().map(|s| s.direct).collect::<Vec<_>>(), [false, false]);
+        assert_eq!((frame.diagonals(), left.diagonals()), (1, 0));
+        let twice = [&frame.strands[..2], &frame.strands[1..]].concat();
+        let split = Wireframe { strands: twice, ..frame.without(&[], 0.5) };
+        assert_eq!(split.diagonals(), 1);
+        assert_eq!(split.length_of(Kind::Diagonal), 2.0 * 106_f64.sqrt());
         // A support shows nothing of the surface.
         let [named] = left.unprinted[..] else { panic!("{:?}", left.unprinted) };
         assert_eq!((named.low, named.high, named.place), (0.0, 5.0, DVec3::ZERO));

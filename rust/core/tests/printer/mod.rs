@@ -2,17 +2,50 @@
 #![allow(dead_code, reason = "each test binary uses some of it")]
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use glam::DVec2;
 use wireprint_core::head::Head;
 use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::strand::Kind;
 use wireprint_core::stroke::Strokes;
+use wireprint_core::toolpath::{Advance, Cooling, PathParams, Plate, Strategy};
 use wireprint_core::wireframe::build::build;
 use wireprint_core::wireframe::frame::Wireframe;
 use wireprint_core::wireframe::params::{Pattern, Times, WireParams};
 use wireprint_core::wireframe::place::zigzag::Placement;
 use wireprint_core::wireframe::plan::sliced::{Sliced, slice_model};
 use wireprint_core::wireframe::regions::layered::Layered;
+
+/// A toolpath of 0.7 mm strand from 1.75 mm filament, nothing on the bed but the print.
+pub const PATH: PathParams = PathParams {
+    standing: 0.0,
+    centre: DVec2::new(100.0, 80.0),
+    plate: Plate::Rectangle(DVec2::new(100.0, 80.0)),
+    strand: 0.7,
+    filament: 1.75,
+    first_layer: 0.35,
+    print_speed: 30.0,
+    bed_speed: 20.0,
+    layer_speed: 15.0,
+    slow_speed: 5.0,
+    travel_speed: 150.0,
+    strategy: Strategy::Pause,
+    cooling: Cooling::Valve,
+    pause: 1.2,
+    climb: None,
+    overshoot: 0.5,
+    pressure_lag: 0.0,
+    advance: Advance::None,
+    retract: 4.0,
+    layer_retract_over: 2.0,
+    retract_speed: 30.0,
+    unretract_speed: 25.0,
+    prime: 5.0,
+    travel_lift: 1.0,
+    skirt_rings: 0,
+    skirt_gap: 3.0,
+    brim_rings: Some(0),
+};
 
 /// A printer with its wire.
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use crate::climb::Climb;
 
 /// From one height to another slabs are no higher than so, mm.
 #[derive(Debug, Clone, Copy, Deserialize)]
-pub struct LowSlabs(f64, f64, f64);
+pub struct LowSlabs(pub(super) f64, pub(super) f64, pub(super) f64);
 
 impl LowSlabs {
     /// Greatest height of a slab between two heights; infinite where it lies elsewhere.
@@ -60,3 +60,6 @@ pub struct HeightParams {
     /// The axis that raises the head; None where it is as fast as the others.
     pub climb: Option<Climb>,
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,6 +4,7 @@
 
 use glam::{DMat3, DVec3};
 
+use super::params::LowSlabs;
 use super::*;
 use crate::printer::Printer;
 use crate::slices::tuning::LOWEST;
@@ -160,12 +161,47 @@ fn turning_a_model_about_the_vertical_changes_no_level() {
     assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-6));
 }
 
+/// All candidates by their definition, sorted.
+fn every_candidate(lows: &[f64], first: f64, last: f64, p: &HeightParams) -> Vec<f64> {
+    let step = f64::max(p.free_end / 40.0, (last - first) / 400.0);
+    let between =
+        lows.iter().chain(p.low_slabs.iter().flat_map(|LowSlabs(low, high, _)| [low, high]));
+    let mut stops: Vec<f64> = between.copied().filter(|z| (first..last).contains(z)).collect();
+    stops.extend([first, last]);
+    stops.sort_by(f64::total_cmp);
+    let mut all = stops.clone();
+    for pair in stops.windows(2) {
+        let gap = pair[1] - pair[0];
+        let fewest = |most: f64| (1..).find(|&n| gap / f64::from(n) <= most).unwrap();
+        let mut parts = vec![fewest(step), fewest(p.slab_max), fewest(p.slab_max) + 1];
+        if let Some(LowSlabs(low, high, most)) = p.low_slabs
+            && low < pair[1]
+            && pair[0] < high
+            && most < p.slab_max
+        {
+            parts.extend([fewest(most), fewest(most) + 1]);
+        }
+        if gap < p.slab_min {
+            parts.push(2);
+        }
+        let parts = parts.into_iter();
+        all.extend(
+            parts.flat_map(|n| (1..n).map(move |i| pair[0] + gap * f64::from(i) / f64::from(n))),
+        );
+    }
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|a, b| *a - *b < 1e-6);
+    all
+}
+
 #[test]
 fn candidates_are_the_wanted_heights_an_even_grid_and_even_divisions() {
-    let (p, mut random) = (params(), Random(6));
-    for _ in 0..100 {
+    let mut random = Random(6);
+    for turn in 0..200 {
         let (first, last) = (0.35, random.between(3.0, 60.0));
         let mut lows: Vec<f64> = (0..4).map(|_| random.between(0.0, 1.2 * last)).collect();
+        // Two that no slab fits between.
+        lows.push(lows[0] + random.between(0.1, 1.3));
         lows.push(last);
         lows.sort_by(f64::total_cmp);
         let at = |&low: &f64| Wanted {
@@ -177,30 +213,33 @@ fn candidates_are_the_wanted_heights_an_even_grid_and_even_divisions() {
             ends: false,
         };
         let wanted: Vec<Wanted> = lows.iter().map(at).collect();
+        let low = random.between(0.0, last);
+        let slabs = LowSlabs(low, low + random.between(1.0, 20.0), random.between(1.5, 7.0));
+        let p = HeightParams { low_slabs: (turn % 2 == 0).then_some(slabs), ..params() };
         let found = candidates(&wanted, first, last, &p);
-        let has = |z: f64| found.iter().any(|c| (c - z).abs() < 2e-6);
-        assert!(found.is_sorted() && has(first) && has(last));
-        assert!(found.iter().all(|z| (first..=last).contains(z)));
-        assert!(found.windows(2).all(|pair| pair[1] - pair[0] > 1e-7 && pair[1] - pair[0] <= 0.5));
-        let mut stops = vec![first];
-        stops.extend(lows.iter().copied().filter(|z| (first..last).contains(z)));
-        stops.push(last);
-        for pair in stops.windows(2) {
-            let gap = pair[1] - pair[0];
-            assert!(has(pair[0]));
-            let fewest = (1..).find(|&n| gap / f64::from(n) <= p.slab_max).unwrap();
-            let parts = [fewest, fewest + 1, if gap < p.slab_min { 2 } else { 1 }];
-            for n in parts {
-                for i in 1..n {
-                    let z = pair[0] + gap * f64::from(i) / f64::from(n);
-                    assert!(has(z), "{z} of {n} parts from {} to {}", pair[0], pair[1]);
-                }
-            }
-        }
+        let all = every_candidate(&lows, first, last, &p);
+        assert_eq!(found.len(), all.len());
+        assert!(found.iter().zip(&all).all(|(a, b)| (a - b).abs() < 2e-6));
     }
     // However tall a model is, there are no more than some hundreds.
-    let tall = candidates(&[], 0.35, 4000.0, &p);
+    let tall = candidates(&[], 0.35, 4000.0, &params());
     assert!((400..2000).contains(&tall.len()), "{}", tall.len());
+}
+
+#[test]
+fn levels_go_no_higher_where_slabs_are_to_be_low() {
+    let corner = DVec3::new(14.0, 14.0, 0.0);
+    let mesh = block(-corner, corner + DVec3::Z * 40.0, 0.0);
+    let p = HeightParams { low_slabs: Some(LowSlabs(12.0, 21.0, 2.0)), ..params() };
+    let levels = choose_levels(&mesh, &head(), &p);
+    for pair in levels.windows(2) {
+        let (from, to) = (pair[0].z, pair[1].z);
+        let most = if to > 12.0 && from < 21.0 { 2.0 } else { 6.0 };
+        assert!(to - from <= most + 1e-6, "{from} to {to}");
+    }
+    // Elsewhere they are as high as they were.
+    let tallest = levels.windows(2).map(|pair| pair[1].z - pair[0].z).fold(0.0, f64::max);
+    assert!(tallest > 4.0 && levels.len() > choose_levels(&mesh, &head(), &params()).len());
 }
 
 #[test]

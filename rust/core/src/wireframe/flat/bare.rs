@@ -26,3 +26,6 @@ pub fn bare(rings: &[Vec<DVec2>], strands: &Holds, reach: f64) -> (Vec<DVec2>, f
     let rows = levels.len().max(1) as f64;
     (places, pitch * (high - low).max(0.0) / rows)
 }
+
+#[cfg(test)]
+mod tests;

@@ -52,13 +52,7 @@ impl Line {
     }
 
     fn at(&self, s: f64) -> DVec2 {
-        let length = self.length();
-        // The ends themselves are not to be rounded.
-        match s {
-            _ if s <= 0.0 => self.ends[0],
-            _ if s >= length => self.ends[1],
-            _ => self.ends[0].lerp(self.ends[1], s / length),
-        }
+        self.ends[0].lerp(self.ends[1], s / self.length())
     }
 
     /// The stretches between holds that have a part in what is wanted.
@@ -248,3 +242,6 @@ fn stops(face: &Face, ends: [DVec2; 2], limits: &LineLimits) -> Vec<f64> {
     }
     face.stops(&ends, length, limits.touch)
 }
+
+#[cfg(test)]
+mod tests;

@@ -73,19 +73,4 @@ impl Holds {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_is_held_at_its_ends_and_where_it_crosses() {
-        let at = |x: f64, y: f64| DVec2::new(x, y);
-        let holds = Holds::new(vec![
-            [at(0.0, -5.0), at(0.0, 5.0)],
-            [at(4.0, -1.0), at(4.0, 1.0)],
-            [at(7.0, 1.0), at(7.0, 2.0)],
-        ]);
-        let stops = holds.stops(&[at(0.05, 0.0), at(10.0, 0.0)], 0.1);
-        assert_eq!(stops.len(), 2);
-        assert!((stops[0], stops[1] - 3.95).eq(&(0.0, 0.0)) || (stops[1] - 3.95).abs() < 1e-9);
-    }
-}
+mod tests;

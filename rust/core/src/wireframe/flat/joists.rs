@@ -148,3 +148,6 @@ fn carry(
     }
     end(&mut run);
 }
+
+#[cfg(test)]
+mod tests;

@@ -45,3 +45,6 @@ pub fn print_bare_rims(journal: &mut Journal, job: &Job, ground: &mut Ground) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -23,3 +23,6 @@ pub fn going_on(journal: &Journal, carriers: &[&Rim]) -> Option<DVec3> {
     let at = journal.at()?;
     carriers.iter().flat_map(|r| &r.points).find(|p| p.distance(at) < SAME).copied()
 }
+
+#[cfg(test)]
+mod tests;

@@ -56,3 +56,6 @@ pub fn carry(
     printed.lines.extend(lines.iter().cloned());
     Carried { lines, is_wanted: false }
 }
+
+#[cfg(test)]
+mod tests;

@@ -18,6 +18,7 @@ use crate::wireframe::lay::job::Job;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::tops::Top;
 use crate::wireframe::place::rim::Rim;
+use crate::wireframe::place::tuning::CORNER_REACH;
 
 /// Turns follow the contour to this part of the strand's diameter.
 const FOLLOW: f64 = 0.25;
@@ -132,7 +133,7 @@ impl<'a> Wall<'a> {
         if !is_small(upper.length()) || !is_small(polygon::length(&plan, true)) {
             return None;
         }
-        let lower = alongside(plan, upper)?;
+        let lower = Curve::alongside(plan, upper)?;
         let begin = start(journal, upper, &[rim]);
         let shift = middle(upper) - middle(&lower);
         let begins = [lower.nearest(upper.position(begin) - shift).s, begin];
@@ -192,22 +193,14 @@ fn shares(curve: &Curve, begin: f64, strand: f64) -> Vec<f64> {
     let turn = (1.0 - FOLLOW * strand / radius).max(0.0).acos();
     let count = (PI / turn).ceil().max(FEWEST) as usize;
     let even = (0..count).map(|i| i as f64 / count as f64);
-    let corners = curve.corners().iter().map(|&corner| curve.forward(begin, corner) / length);
+    let corners = curve.corners(CORNER_REACH * strand).into_iter();
+    let corners = corners.map(|corner| curve.forward(begin, corner) / length);
     let mut shares: Vec<f64> = even.chain(corners).collect();
     shares.sort_by(f64::total_cmp);
     // Corners that lie near another one add nothing.
     shares.dedup_by(|next, last| (*next - *last) * length < FOLLOW * strand);
     shares.retain(|share| (1.0 - share) * length > FOLLOW * strand);
     shares
-}
-
-/// A closed curve that runs round the same way as another one.
-fn alongside(mut points: Vec<DVec2>, other: &Curve) -> Option<Curve> {
-    let turns = |points: &[DVec2]| polygon::signed_area(points) < 0.0;
-    if turns(&points) != turns(other.points()) {
-        points.reverse();
-    }
-    Curve::new(&points, true)
 }
 
 #[cfg(test)]

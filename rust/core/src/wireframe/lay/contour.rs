@@ -81,3 +81,6 @@ fn needs_no_ring(cx: &Context, top: &Top, standing: &Standing) -> bool {
         && cx.sliced.ledges[level].is_none()
         && above.iter().any(|s| s.lower == [contour] && s.upper.len() == 1 && !s.roofed)
 }
+
+#[cfg(test)]
+mod tests;

@@ -112,3 +112,6 @@ impl<'a> LevelFace<'a> {
         Holds::new(self.surface.strands().iter().filter(is_inside).copied().collect())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -17,8 +17,9 @@ use crate::wireframe::place::rim::Rim;
 use crate::wireframe::plan::sliced::LevelStep;
 use crate::wireframe::plan::strips::Strip;
 
-/// Faces this near to a level lie in it, mm.
-const FLAT: f64 = 0.05;
+/// Faces within this part of a strand of a level lie in it: 0.05 of 0.7 mm. Doubled, marks on a face
+/// beside it count for it.
+const FLAT: f64 = 1.0 / 14.0;
 /// What lies farther than this part of the distance between a cap's strands from all of them is
 /// bare; with the default settings that is `coverage_within_mm`.
 const BARE: f64 = 2.0 / 3.0;
@@ -126,7 +127,8 @@ fn fill(cx: &Context, journal: &mut Journal, place: &LevelFace, wanted: Wanted) 
 fn lid(cx: &Context, rims: &[Vec<DVec2>], level: usize) -> (f64, Kind) {
     let of = &cx.sliced.levels[level];
     let (low, high) = if level == 0 { (f64::NEG_INFINITY, of.low) } else { (of.low, of.high) };
-    if !cx.layered.has_flat(rims, low - FLAT, high + FLAT) {
+    let slack = FLAT * cx.p.strand;
+    if !cx.layered.has_flat(rims, low - slack, high + slack) {
         return (cx.p.cap_spacing, Kind::Cap);
     }
     // On the bed a strand is squeezed to its height, and wider in turn.

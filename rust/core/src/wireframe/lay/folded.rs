@@ -42,3 +42,6 @@ pub fn folded(
     journal.note_posts(top.slab as u32, top.contour(job.curve) as u32, &standing.posts);
     (!standing.posts.is_empty()).then_some(standing)
 }
+
+#[cfg(test)]
+mod tests;

@@ -59,3 +59,6 @@ pub fn places(curve: &Curve, pitch: f64) -> impl Iterator<Item = DVec2> + '_ {
     let count = (curve.length() / pitch).ceil().max(4.0) as usize;
     (0..count).map(move |i| curve.position(curve.length() * i as f64 / count as f64))
 }
+
+#[cfg(test)]
+mod tests;

@@ -56,3 +56,6 @@ pub fn room(top: &Top, job: &Job, ground: &Ground) -> (DVec2, DVec2) {
     let above = top.curves[job.curve].iter().flat_map(|curve| curve.points().iter().copied());
     bounds(below.chain(above))
 }
+
+#[cfg(test)]
+mod tests;

@@ -185,6 +185,12 @@ impl<'a> Journal<'a> {
             && self.entries.sag - mark.sag <= near
     }
 
+    /// Whether a post could be printed now that is to be no longer than `longest` mm.
+    #[must_use]
+    pub fn has_room(&self, post: &Post, longest: f64) -> bool {
+        post.base.distance(post.peak) <= longest && !self.obstacles.is_barred(post.base, post.peak)
+    }
+
     /// Prints one strand; a `floating` one ends in the air.
     pub fn stroke(&mut self, from: DVec3, to: DVec3, kind: Kind, floating: bool) {
         // A strand that goes on from the last one begins at the very same point.

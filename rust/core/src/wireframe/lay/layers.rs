@@ -21,11 +21,11 @@ pub fn print_layers(
     let contours = &cx.sliced.lower[top.slab + 1];
     let curve = |i: usize| Curve::new(&contours[i].points, contours[i].closed);
     for i in all_layers(&cx.sliced.strips[top.slab], layers) {
-        printed.rims[i] = curve(i).map(|curve| layered::closed_rim(&curve, top.z));
+        printed.rims[i] = curve(i).map(|curve| layered::closed_rim(&curve, top.z, cx.p.strand));
     }
     for piece in top.pieces.iter().filter(|piece| piece.curve.is_none()) {
         let Some(curve) = curve(piece.contour) else { continue };
-        printed.lines.push(layered::rim_of(&curve, piece.from, piece.length, top.z));
+        printed.lines.push(layered::rim_of(&curve, piece.from, piece.length, top.z, cx.p.strand));
     }
 }
 
@@ -38,7 +38,7 @@ pub fn join_pieces(cx: &Context, top: &Top, printed: &mut Ground) {
         let Some(curve) = Curve::new(&contour.points, contour.closed) else { continue };
         let mut rim = |piece: &Piece| match piece.curve {
             Some(i) => printed.rims[i].take().map(layered::reversed),
-            None => Some(layered::rim_of(&curve, piece.from, piece.length, top.z)),
+            None => Some(layered::rim_of(&curve, piece.from, piece.length, top.z, cx.p.strand)),
         };
         let rims: Vec<Option<Rim>> = pieces.iter().map(&mut rim).collect();
         printed.rims[first.contour] = Some(layered::joined(rims, contour.closed));

@@ -138,7 +138,7 @@ fn rise(
         return Some((*rim).clone());
     }
     if level == 0 && lifted <= cx.p.strand {
-        return Some(press(journal, curve, contour.support, lifted));
+        return Some(press(journal, curve, contour.support, lifted, cx.p.strand));
     }
     if ledge.lower.is_empty() {
         let hanging = Hanging { contour, flat: Flat { curve, z }, level };
@@ -151,7 +151,7 @@ fn rise(
     if is_layered(cx, step, &ledge.lower) && is_within(cx, curve, level)
         || is_on_layers(cx, curve, level)
     {
-        return Some(closed_rim(curve, z));
+        return Some(closed_rim(curve, z, cx.p.strand));
     }
     let flat = Flat { curve, z: lifted };
     let all: Vec<Rim> =
@@ -175,3 +175,6 @@ fn follows(curve: &Curve, rim: &Rim, strand: f64) -> bool {
     let footing = Footing::new(&rims);
     places(curve, strand).all(|place| footing.nearest(place).is_some_and(|f| f.distance < strand))
 }
+
+#[cfg(test)]
+mod tests;

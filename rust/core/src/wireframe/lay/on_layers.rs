@@ -23,7 +23,7 @@ pub fn is_within(cx: &Context, curve: &Curve, level: usize) -> bool {
     let below = || cx.sliced.lower[level].iter().filter(|c| !c.support);
     let rims: Vec<Rim> = below()
         .filter_map(|c| Curve::new(&c.points, c.closed))
-        .map(|curve| closed_rim(&curve, 0.0))
+        .map(|curve| closed_rim(&curve, 0.0, cx.p.strand))
         .collect();
     let rims: Vec<&Rim> = rims.iter().collect();
     let footing = Footing::new(&rims);
@@ -42,7 +42,7 @@ pub fn is_on_layers(cx: &Context, curve: &Curve, level: usize) -> bool {
     let rim = |stretch: &Stretch| {
         let contour = &cx.sliced.lower[level][stretch.contour as usize];
         let whole = Curve::new(&contour.points, contour.closed)?;
-        Some(rim_of(&whole, stretch.from, stretch.length, 0.0))
+        Some(rim_of(&whole, stretch.from, stretch.length, 0.0, cx.p.strand))
     };
     let rims: Vec<Rim> = layers.stretches.iter().filter_map(rim).collect();
     let rims: Vec<&Rim> = rims.iter().collect();

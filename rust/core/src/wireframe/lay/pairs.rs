@@ -1,7 +1,6 @@
 //! Double walls: two contours that stand closer than the head's clearance are woven together.
 
 use crate::geometry::curve::Curve;
-use crate::geometry::polygon;
 use crate::wireframe::lay::begin::{going_on, start};
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::is_support;
@@ -58,7 +57,8 @@ pub fn woven(
     let one = usize::from(from[0].is_none() && from[1].is_some());
     let other = 1 - one;
     let curve = |i: usize| top.curves[jobs[i].curve].as_ref();
-    let (first, second) = (curve(one)?, &alongside(curve(other)?, curve(one)?)?);
+    let (first, second) =
+        (curve(one)?, &Curve::alongside(curve(other)?.points().to_vec(), curve(one)?)?);
     let begin = start(journal, first, &rims[one..=one]);
     let beside = second.nearest(first.position(begin)).s;
     let walls = [
@@ -73,16 +73,6 @@ pub fn woven(
         (number, (!standing.posts.is_empty()).then_some(standing))
     });
     Some([found.next()?, found.next()?])
-}
-
-/// A closed curve that runs round the same way as another one: holes run against what they lie in.
-fn alongside(curve: &Curve, other: &Curve) -> Option<Curve> {
-    let turns = |curve: &Curve| polygon::signed_area(curve.points()) < 0.0;
-    let mut points = curve.points().to_vec();
-    if turns(curve) != turns(other) {
-        points.reverse();
-    }
-    Curve::new(&points, curve.is_closed())
 }
 
 #[cfg(test)]

@@ -230,9 +230,9 @@ pub fn floor(cx: &Context, journal: &mut Journal, top: &Top, job: &Job, printed:
 
 /// How far a contour strays that becomes straight between its posts, mm, times its length, mm.
 fn sag(curve: &Curve, standing: &Standing) -> f64 {
-    let at = |s: f64| curve.station(standing.start, s.min(curve.length()));
     let chord = |(begin, gap): (f64, f64)| {
-        let squares = at(begin).chord_error(&at(begin + gap));
+        let from = curve.wrap(standing.start + begin);
+        let squares = curve.station(from, 0.0).chord_error(&curve.station(from, gap));
         (squares * gap).sqrt()
     };
     gaps(curve, &standing.posts).map(chord).sum()

@@ -102,11 +102,8 @@ fn stand_on(
     let mut kept = cx.guide.posts(top.slab, contour, curve, top.z);
     kept.retain(|_| up == Kind::Post);
     let input = input(cx, journal, top, job, curve, carriers, &kept);
-    let limit = cx.p.free_end_limit;
-    let out = &*journal;
-    let (start, mut steps) = zigzag(&input, cx.head, |post| {
-        post.base.distance(post.peak) <= limit && !out.obstacles.is_barred(post.base, post.peak)
-    });
+    let (start, mut steps) =
+        zigzag(&input, cx.head, |post| journal.has_room(post, cx.p.free_end_limit));
     let piece = top.piece(job.curve);
     match piece {
         Some(piece) => slant(cx, journal, &mut steps, curve, piece, carriers),
@@ -139,8 +136,7 @@ fn slant(
     let foot = |end: DVec2| footing.nearest(end).map(|f| f.position);
     if let Some(first) = steps.first_mut().filter(|_| piece.meets[0])
         && let Some(base) = foot(curve.position(0.0))
-        && base.distance(first.post.peak) <= cx.p.free_end_limit
-        && !journal.obstacles.is_barred(base, first.post.peak)
+        && journal.has_room(&Post { base, ..first.post }, cx.p.free_end_limit)
     {
         first.post.base = base;
     }
@@ -166,10 +162,8 @@ pub fn on_peaks(
     let [carrier] = carriers[..] else { return None };
     let mut input = input(cx, journal, top, job, curve, &carriers, &[]);
     input.on_peaks = true;
-    let (out, limit) = (&*journal, cx.p.free_end_limit);
-    let (start, steps) = zigzag(&input, cx.head, |post| {
-        post.base.distance(post.peak) <= limit && !out.obstacles.is_barred(post.base, post.peak)
-    });
+    let (start, steps) =
+        zigzag(&input, cx.head, |post| journal.has_room(post, cx.p.free_end_limit));
     if steps.len() != carrier.points.len() || steps.iter().skip(1).any(|s| !s.linked) {
         return None;
     }

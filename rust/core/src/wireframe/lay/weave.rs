@@ -11,7 +11,7 @@ use crate::wireframe::lay::job::Job;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::strokes::zigzag_strokes;
 use crate::wireframe::lay::tops::Top;
-use crate::wireframe::place::posts::{Post, candidates};
+use crate::wireframe::place::posts::{Begin, Post, candidates};
 use crate::wireframe::place::rim::Rim;
 use crate::wireframe::place::weave::{Home, Place, WeaveParams, weave};
 use crate::wireframe::place::zigzag::{SPARE, ZigzagStep};
@@ -112,32 +112,36 @@ fn places(
     pitch: f64,
 ) -> Vec<Place> {
     let first = &walls[0];
-    let is_free = |post: &Post| {
-        post.base.distance(post.peak) <= cx.p.free_end_limit
-            && !journal.obstacles.is_barred(post.base, post.peak)
-    };
     let mut found = Vec::new();
     for (wall, one) in walls.iter().enumerate() {
-        let from = from.filter(|_| wall == 0);
-        let all = candidates(one.curve, z, one.begin, from, &[one.rim], pitch, false);
+        let begin = Begin { s: one.begin, foothold: from.filter(|_| wall == 0) };
+        let all = candidates(one.curve, z, begin, &[one.rim], cx.p.strand, pitch, false);
         let mut segment = 0;
-        found.extend(all.into_iter().filter(|c| is_free(&c.post)).map(|candidate| {
-            let along = if wall == 0 {
-                candidate.post.s
-            } else {
-                let place = candidate.post.peak.truncate();
-                let (near, at) = first.curve.nearest_from(place, segment);
-                segment = at;
-                let along = first.curve.forward(first.begin, near.s);
-                // Rounding may put the beginning a lap on, or the end a lap back.
-                let laps = along / first.curve.length() - candidate.post.s / one.curve.length();
-                let lap = if first.curve.is_closed() { laps.round() } else { 0.0 };
-                along - lap * first.curve.length()
-            };
-            // What stands across from each other comes in one order, however it is rounded.
-            let along = (along / (SNAP * pitch)).round() * SNAP * pitch;
-            Place { wall, along, candidate }
-        }));
+        found.extend(
+            all.into_iter().filter(|c| journal.has_room(&c.post, cx.p.free_end_limit)).map(
+                |candidate| {
+                    let along = if wall == 0 {
+                        candidate.post.s
+                    } else {
+                        let place = candidate.post.peak.truncate();
+                        let (near, at) = first.curve.nearest_from(place, segment);
+                        segment = at;
+                        let along = first.curve.forward(first.begin, near.s);
+                        // Rounding may put the beginning a lap on, or the end a lap back.
+                        let laps =
+                            along / first.curve.length() - candidate.post.s / one.curve.length();
+                        let lap = if first.curve.is_closed() { laps.round() } else { 0.0 };
+                        along - lap * first.curve.length()
+                    };
+                    // What stands across from each other comes in one order, however it is rounded.
+                    let along = (along / (SNAP * pitch)).round() * SNAP * pitch;
+                    Place { wall, along, candidate }
+                },
+            ),
+        );
     }
     found
 }
+
+#[cfg(test)]
+mod tests;

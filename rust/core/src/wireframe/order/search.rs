@@ -110,3 +110,6 @@ fn best_order(
     *ground = best.below;
     best.printed.ground
 }
+
+#[cfg(test)]
+mod tests;

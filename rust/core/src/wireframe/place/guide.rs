@@ -165,8 +165,10 @@ fn is_settled(posts: &[Candidate], s: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
-    use crate::wireframe::place::posts::candidates;
+    use crate::wireframe::place::posts::{Begin, candidates};
     use crate::wireframe::place::rim::Rim;
 
     const SIDE: f64 = 40.0;
@@ -194,7 +196,7 @@ mod tests {
     fn chosen(curve: &Curve, is_free: impl Fn(&Post) -> bool) -> Vec<Candidate> {
         let (rim, kept) = (foot(), guide(16).posts(3, 1, curve, 5.0));
         let rims = [&rim];
-        let all = candidates(curve, 5.0, 0.0, None, &rims, 1.0, false);
+        let all = candidates(curve, 5.0, Begin { s: 0.0, foothold: None }, &rims, 0.7, 1.0, false);
         merged(all, &kept, curve, 0.0, &Footing::new(&rims), 0.7, is_free).1
     }
 
@@ -226,5 +228,47 @@ mod tests {
         assert_eq!(places, [(1, 0.0), (2, 10.0), (3, 20.0), (4, 30.0), (5, 40.0), (6, 50.0)]);
         assert!(guide(16).posts(3, 0, &part, 5.0).is_empty());
         assert!(guide(16).posts(3, 1, &part, 4.0).is_empty());
+    }
+
+    /// The posts of the plain print that are left where the rim below lies `off` mm beside their bases.
+    fn left(off: f64) -> Vec<Post> {
+        let points = foot().points.iter().map(|p| p + DVec3::X * off).collect();
+        let rim = Rim { points, ..foot() };
+        let rims = [&rim];
+        let kept = guide(16).posts(3, 1, &square(), 5.0);
+        // Those on the left side, away from corners, stand beside the rim.
+        let (_, found) =
+            merged(Vec::new(), &kept[13..15], &square(), 0.0, &Footing::new(&rims), 0.7, |_| true);
+        found.iter().map(|c| c.post).collect()
+    }
+
+    #[test]
+    fn a_post_moves_its_base_by_less_than_half_a_strand() {
+        let bases = |off: f64| -> Vec<f64> { left(off).iter().map(|post| post.base.x).collect() };
+        assert_eq!(bases(0.0), [0.0, 0.0]);
+        assert_eq!(bases(1e-7), [0.0, 0.0]);
+        assert_eq!(bases(0.2), [0.2, 0.2]);
+        assert_eq!(bases(0.34), [0.34, 0.34]);
+        assert!(bases(0.35).is_empty() && bases(1.0).is_empty());
+        // Peaks stay where they are.
+        assert!(left(0.2).iter().all(|post| post.peak.x == 0.0 && post.peak.z == 5.0));
+    }
+
+    #[test]
+    fn a_place_is_settled_at_a_post_and_between_neighbours() {
+        let post = |s: f64, number: usize, next: usize| {
+            let place = square().position(s).extend(0.0);
+            let post = Post { base: place, peak: place, s };
+            let station = square().station(0.0, s);
+            let (spacing, room, kept) = (0.0, f64::INFINITY, Some(Rank { number, next }));
+            Candidate { post, station, offset: 0.0, spacing, room, kept }
+        };
+        // Between 20 and 40 a post of the plain print is missing.
+        let posts = [post(10.0, 1, 2), post(20.0, 2, 3), post(40.0, 4, 5)];
+        let settled: Vec<f64> = [5.0, 9.0, 10.0, 10.0 + 5e-7, 15.0, 20.0, 25.0, 40.0 - 5e-7, 45.0]
+            .into_iter()
+            .filter(|&s| is_settled(&posts, s))
+            .collect();
+        assert_eq!(settled, [10.0, 10.0 + 5e-7, 15.0, 20.0, 40.0 - 5e-7]);
     }
 }

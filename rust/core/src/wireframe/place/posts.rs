@@ -14,7 +14,7 @@ use crate::geometry::curve::{Curve, Station, simplify};
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::place::rim::{Footing, Rim};
-use crate::wireframe::place::tuning::{ALIGN, CLOSE, EVEN, LONE};
+use crate::wireframe::place::tuning::{ALIGN, CLOSE, CORNER_REACH, EVEN, LONE};
 
 /// One upward stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -80,25 +80,35 @@ const WIDEST: f64 = 2.5;
 /// More than rounding adds up to along a contour, mm.
 const ROUNDING: f64 = 1e-6;
 
-/// Lists the candidates of a contour at height `z` from arc length `start` on, sorted by arc
-/// length; the first one is at the start, with its foothold on `from` if that is given. `on_peaks` keeps only those that stand on a rim vertex.
+/// Where a chain of posts begins.
+#[derive(Debug, Clone, Copy)]
+pub struct Begin {
+    /// Arc length along the contour, mm.
+    pub s: f64,
+    /// The foothold of its first post, where that is given.
+    pub foothold: Option<DVec3>,
+}
+
+/// Lists the candidates of a contour at height `z` for a `strand`, mm, sorted by arc length from where
+/// they begin, no farther than about `step` mm apart; the first one is there. `on_peaks` keeps only those
+/// that stand on a rim vertex.
 #[must_use]
 pub fn candidates(
     curve: &Curve,
     z: f64,
-    start: f64,
-    from: Option<DVec3>,
+    begin: Begin,
     rims: &[&Rim],
+    strand: f64,
     step: f64,
     on_peaks: bool,
 ) -> Vec<Candidate> {
-    let length = curve.length();
+    let (length, start) = (curve.length(), begin.s);
     let footing = Footing::new(rims);
-    let mut places: Vec<(f64, Option<DVec3>)> = vec![(0.0, from)];
+    let mut places: Vec<(f64, Option<DVec3>)> = vec![(0.0, begin.foothold)];
     if !on_peaks {
         let count = (length / step).ceil().max(1.0);
         places.extend((1..count as usize).map(|i| (length * i as f64 / count, None)));
-        for &corner in curve.corners() {
+        for corner in curve.corners(CORNER_REACH * strand) {
             places.push((curve.forward(start, corner), None));
         }
         if !curve.is_closed() {
@@ -435,3 +445,6 @@ pub fn followed(curve: &Curve, from: f64, arc: f64, tolerance: f64, z: f64) -> V
     let points = curve.arc(from, arc);
     simplify(&points, tolerance).into_iter().map(|i| points[i].extend(z)).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,9 @@
 //! Weights of placing posts. Costs are counted per post; a chord that strays by the tolerated error all
 //! along costs one.
 
+/// A corner's turn is measured between the places so many strands before and behind it: 1 of 0.7 mm.
+/// Doubled, roundings of a few millimetres count as corners.
+pub const CORNER_REACH: f64 = 10.0 / 7.0;
 /// Candidates stand at least so many strands apart, 1.2 of 0.7 mm: nearer ones differ by less than joints
 /// do. Halved, low slabs take four times as long to plan.
 pub const FINEST: f64 = 12.0 / 7.0;

@@ -186,10 +186,9 @@ impl<'a> Table<'a> {
                 let (slot, least) = (before.low..)
                     .zip(sums)
                     .fold((0, f64::INFINITY), |best, sum| if sum.1 < best.1 { sum } else { best });
+                // Other ways to this state come by later places.
                 let at = row.at(self.slot(i));
-                if least + cost < self.costs[at] {
-                    (self.costs[at], self.own[at]) = (least + cost, slot);
-                }
+                (self.costs[at], self.own[at]) = (least + cost, slot);
             }
         }
     }

@@ -8,8 +8,8 @@ use crate::head::Head;
 use crate::stroke::{SLACK, Strokes};
 use crate::wireframe::place::guide::{Kept, merged};
 use crate::wireframe::place::posts::{
-    Candidate, Post, PostParams, candidates, even_spacing, leads_down, place, place_by_averaging,
-    reachable,
+    Begin, Candidate, Post, PostParams, candidates, even_spacing, leads_down, place,
+    place_by_averaging, reachable,
 };
 use crate::wireframe::place::rim::{Footing, Rim};
 use crate::wireframe::place::through::place_through;
@@ -93,7 +93,8 @@ pub fn zigzag(
     }
     let step = (FINEST * input.strand).max(least / PLACES);
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
-    let mut all = candidates(curve, z, start, input.from, rims, step, input.on_peaks);
+    let begin = Begin { s: start, foothold: input.from };
+    let mut all = candidates(curve, z, begin, rims, input.strand, step, input.on_peaks);
     let mut near = crowd(input, start, &mut all, least);
     all.retain(|c| is_free(&c.post));
     let mut start = start;

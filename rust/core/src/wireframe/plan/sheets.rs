@@ -77,3 +77,6 @@ impl Bodies {
         contours.iter().any(|c| is_long(c) && c.faces.iter().any(is_within))
     }
 }
+
+#[cfg(test)]
+mod tests;

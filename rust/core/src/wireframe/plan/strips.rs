@@ -357,3 +357,6 @@ fn share_below([low, middle, high]: [f64; 3], z: f64) -> f64 {
 fn extent([a, b, c]: [f64; 3]) -> (f64, f64) {
     (a.min(b).min(c), a.max(b).max(c))
 }
+
+#[cfg(test)]
+mod tests;

@@ -19,9 +19,10 @@ pub struct Ahead {
     lowest: f64,
 }
 
-/// Cells are so many millimetres wide …
+/// Cells are so many millimetres wide: as far as a nozzle reaches beside a strand …
 const CELL: f64 = 3.0;
-/// … and moves are divided into parts no longer than this, mm, so that few cells are searched.
+/// … and moves are divided into parts no longer than this, mm, so that few cells are searched. Both
+/// cost or save time only: what bars is found in cells of any size.
 const LONGEST: f64 = 6.0;
 
 impl Ahead {

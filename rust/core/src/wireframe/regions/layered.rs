@@ -124,10 +124,12 @@ pub struct Piece {
     pub meets: [bool; 2],
 }
 
-/// The vertices of a region's rim lie at most this far apart, mm, so that posts find them.
-const FOOTHOLDS: f64 = 2.0;
-/// A region's rim follows the contour to this, mm.
-const FOLLOW: f64 = 0.05;
+/// The vertices of a region's rim lie at most so many strands apart, 2 of 0.7 mm, so that posts find
+/// them. Doubled, fewer posts stand upon vertices.
+const FOOTHOLDS: f64 = 20.0 / 7.0;
+/// A region's rim follows the contour to this part of a strand: 0.05 of 0.7 mm. Doubled, posts on
+/// rounds stand beside them.
+const FOLLOW: f64 = 1.0 / 14.0;
 /// Pieces shorter than this are rounding, mm.
 const NOTHING: f64 = 1e-6;
 
@@ -171,14 +173,15 @@ fn part(whole: &Curve, from: f64, length: f64) -> Option<Curve> {
     (length > NOTHING).then(|| Curve::new(&whole.arc(from, length), false)).flatten()
 }
 
-/// The top of a region's last layer along a stretch of a contour, as what the next slab stands on.
+/// The top of a region's last layer along a stretch of a contour, as what the next slab stands on: at
+/// height `z`, for a `strand`, mm.
 #[must_use]
-pub fn rim_of(whole: &Curve, from: f64, length: f64, z: f64) -> Rim {
+pub fn rim_of(whole: &Curve, from: f64, length: f64, z: f64, strand: f64) -> Rim {
     let all = whole.arc(from, length);
-    let kept: Vec<DVec2> = simplify(&all, FOLLOW).into_iter().map(|i| all[i]).collect();
+    let kept: Vec<DVec2> = simplify(&all, FOLLOW * strand).into_iter().map(|i| all[i]).collect();
     let mut rim = Rim { printed: true, held: true, ..Rim::default() };
     for pair in kept.windows(2) {
-        let count = (pair[0].distance(pair[1]) / FOOTHOLDS).ceil().max(1.0) as usize;
+        let count = (pair[0].distance(pair[1]) / (FOOTHOLDS * strand)).ceil().max(1.0) as usize;
         let step = |i: usize| pair[0].lerp(pair[1], i as f64 / count as f64).extend(z);
         rim.points.extend((0..count).map(step));
     }
@@ -188,8 +191,8 @@ pub fn rim_of(whole: &Curve, from: f64, length: f64, z: f64) -> Rim {
 
 /// The rim of a whole contour that is layers.
 #[must_use]
-pub fn closed_rim(curve: &Curve, z: f64) -> Rim {
-    let mut rim = rim_of(curve, 0.0, curve.length(), z);
+pub fn closed_rim(curve: &Curve, z: f64, strand: f64) -> Rim {
+    let mut rim = rim_of(curve, 0.0, curve.length(), z, strand);
     if curve.is_closed() {
         rim.closed = true;
         rim.points.pop();
@@ -278,8 +281,8 @@ mod tests {
     #[test]
     fn a_rim_is_joined_from_its_pieces() {
         let whole = square().unwrap();
-        let region = rim_of(&whole, 35.0, 10.0, 1.0);
-        let wire = rim_of(&whole, 5.0, 30.0, 1.0);
+        let region = rim_of(&whole, 35.0, 10.0, 1.0, 0.7);
+        let wire = rim_of(&whole, 5.0, 30.0, 1.0, 0.7);
         let rim = joined(vec![Some(region.clone()), Some(wire)], true);
         let length: f64 = rim.segments().map(|(a, b)| a.distance(b)).sum();
         assert!((length - 40.0).abs() < 1e-9);

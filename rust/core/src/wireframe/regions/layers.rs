@@ -159,3 +159,6 @@ fn pass_on(
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

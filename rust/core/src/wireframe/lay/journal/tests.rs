@@ -121,3 +121,15 @@ fn strands_of_the_slab_are_found_by_height_and_place_and_bar_the_head_until_the_
     own.begin_slab(2, &[]);
     assert!(!own.obstacles.is_hit(below[0], below[1]));
 }
+
+#[test]
+fn a_post_has_room_if_it_is_no_longer_than_it_may_be_and_nothing_bars_it() {
+    let head = head();
+    let mut own = journal(&head);
+    own.begin_slab(0, &[]);
+    let (base, peak) = (DVec3::new(20.0, 20.0, 0.0), DVec3::new(23.0, 20.0, 4.0));
+    let post = Post { base, peak, s: 0.0 };
+    assert!(own.has_room(&post, 5.0) && !own.has_room(&post, 4.999));
+    own.stroke(DVec3::new(21.0, 15.0, 4.0), DVec3::new(21.0, 25.0, 4.0), Kind::Cap, false);
+    assert!(!own.has_room(&post, 5.0));
+}

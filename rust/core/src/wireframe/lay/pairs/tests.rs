@@ -2,9 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use glam::DVec3;
+
 use super::*;
 use crate::contours::Contour;
-use crate::wireframe::lay::scene::{Scene, closed, curve, rim, square};
+use crate::strand::{Kind, Strand};
+use crate::wireframe::lay::scene::{Scene, closed, rim, square};
 use crate::wireframe::params::Pattern;
 use crate::wireframe::place::rim::Rim;
 use crate::wireframe::place::zigzag::Placement;
@@ -56,13 +59,36 @@ fn only_plain_zigzags_placed_at_their_best_are_woven() {
     assert!(paired(&scene(), true) && !paired(&peaks, true) && !paired(&paper, true));
 }
 
+/// The zigzag of a wall and its hole, once the head has come to a place: its strands, and how many posts
+/// each has.
+fn zigzag(scene: &Scene, head: DVec3) -> (Vec<Strand>, [(usize, usize); 2]) {
+    let jobs = [0, 1].map(|i| Job { curve: i, carriers: vec![i], strip: i });
+    let rims = scene.sliced.upper[0].iter().map(|c| Some(rim(c, 0.35)));
+    let ground = Ground { rims: rims.collect(), lines: Vec::new() };
+    scene.ask(|cx, journal| {
+        journal.polyline(&[head - DVec3::X, head], Kind::Cap);
+        journal.begin_slab(0, &[]);
+        let found = woven(cx, journal, cx.tops.get(0), [&jobs[0], &jobs[1]], &ground).unwrap();
+        let posts = found.map(|(curve, standing)| (curve, standing.unwrap().posts.len()));
+        assert_eq!(journal.entries().posts.len(), posts[0].1 + posts[1].1);
+        (journal.entries().strands[1..].to_vec(), posts)
+    })
+}
+
 #[test]
-fn a_hole_is_followed_the_way_round_its_wall_is() {
-    let (wall, inner) = (curve(&square(20.0)), curve(&hole(17.0)));
-    let along = alongside(&inner, &wall).unwrap();
-    assert!(polygon::signed_area(inner.points()) < 0.0);
-    assert!(polygon::signed_area(along.points()) > 0.0);
-    assert!((along.length() - inner.length()).abs() < 1e-12 && along.is_closed());
-    let same = alongside(&curve(&square(17.0)), &wall).unwrap();
-    assert_eq!(same.points(), curve(&square(17.0)).points());
+fn both_walls_stand_on_posts_of_one_zigzag_that_goes_on_where_the_head_is() {
+    let scene = Scene::slab(5.0, &[square(30.0), hole(27.0)]);
+    // On the wall, on the hole, and beside both: then on the wall that is asked about first.
+    let heads = [((30.0, 30.0), 0), ((27.0, 27.0), 1), ((0.0, 0.0), 0)];
+    for ((x, y), first) in heads {
+        let (strands, posts) = zigzag(&scene, DVec3::new(x, y, 0.35));
+        assert_eq!((posts[0].0, posts[1].0), (first, 1 - first));
+        assert!(posts.iter().all(|(_, count)| *count > 8), "{posts:?}");
+        if x > 0.0 {
+            assert_eq!(strands[0].from, DVec3::new(x, y, 0.35));
+        }
+        // All round, not back over the way it came.
+        let turns = strands.windows(2).map(|s| s[0].to.truncate().angle_to(s[1].to.truncate()));
+        assert!((turns.sum::<f64>().abs() - std::f64::consts::TAU).abs() < 0.7);
+    }
 }

@@ -173,6 +173,11 @@ fn a_contour_strays_by_what_its_chords_cut_off() {
     };
     let found = stray(20.0, &[0.0, 40.0, 80.0, 120.0]);
     assert!((found - 4.0 * corner).abs() < 1e-3 * found, "{found} is not {}", 4.0 * corner);
+    // A chain may begin beside where the contour does: its last chord leads past that.
+    for s in [7.0, 20.0, 39.0] {
+        let shifted = stray(20.0 - s, &[s, 40.0 + s, 80.0 + s, 120.0 + s]);
+        assert!((shifted - found).abs() < 1e-9 * found, "{shifted} is not {found}");
+    }
     // Posts at all corners leave nothing to stray.
     assert!(stray(0.0, &[0.0, 40.0, 80.0, 120.0]) < 1e-3 * found);
 }

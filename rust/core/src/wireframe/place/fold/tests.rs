@@ -91,3 +91,70 @@ fn the_share_near_another_curve_is_counted_along_it() {
     }
     assert_eq!(share_near(&own, &own, 0.1), 1.0);
 }
+
+#[test]
+fn a_plate_turns_back_in_the_middle_of_its_ends_if_it_is_long_and_thin_enough() {
+    let reach = 4.0;
+    for (long, thick) in [(60.0, 1.0), (60.0, 4.0), (25.0, 4.1), (11.1, 1.0), (33.3, 3.0)] {
+        let plate = around(&[(0.0, 0.0), (long, 0.0)], thick);
+        let found = tips(&plate, reach).unwrap().map(|tip| plate.position(tip));
+        let off = |end: DVec2| found[0].distance(end).min(found[1].distance(end));
+        // As near as the places lie that are looked at.
+        let step = reach / LOOKS;
+        assert!(off(DVec2::ZERO) <= step && off(DVec2::X * long) <= step, "{long} {thick}");
+        assert!(found[0].distance(found[1]) > long - 0.5 * thick, "{found:?}");
+    }
+    let found = |long: f64, thick: f64| tips(&around(&[(0.0, 0.0), (long, 0.0)], thick), reach);
+    // Its sides are nearer to each other than a wall's thickness and some slack, or not.
+    assert!(found(60.0, 4.0).is_some() && found(60.0, 4.21).is_none());
+    // All around it is as long as both tips take to turn, or shorter.
+    assert!(found(11.01, 1.0).is_some() && found(10.99, 1.0).is_none());
+    // Three ends are one too many.
+    let y = [0.0_f64, 120.0, 240.0].iter().flat_map(|turn| {
+        let way = DVec2::from_angle(turn.to_radians());
+        let [end, crotch] = [way * 30.0, DVec2::from_angle((turn + 60.0).to_radians()) * 2.0];
+        [end - way.perp(), end + way.perp(), crotch]
+    });
+    assert_eq!(tips(&Curve::new(&y.collect::<Vec<_>>(), true).unwrap(), reach), None);
+}
+
+#[test]
+fn wherever_a_contour_begins_its_tips_are_the_same() {
+    let hook = around(&[(0.0, 0.0), (40.0, 0.0), (40.0, 30.0)], 3.0);
+    let ends = [DVec2::ZERO, DVec2::new(40.0, 30.0)];
+    for shift in 0..30 {
+        let begin = hook.length() * f64::from(shift) / 30.0;
+        let points = hook.arc(begin, hook.length());
+        let turned = Curve::new(&points, true).unwrap();
+        let [one, two] = tips(&turned, 4.0).unwrap().map(|tip| turned.position(tip));
+        let far = |a: DVec2, b: DVec2| a.distance(ends[0]).max(b.distance(ends[1]));
+        assert!(far(one, two).min(far(two, one)) < 1.1, "{shift}: {one} {two}");
+    }
+}
+
+#[test]
+fn sides_are_a_thin_walls_where_half_of_each_is_near_the_other() {
+    // A plate whose second half widens: near for the length of `even`.
+    let wedge = |even: f64| {
+        let outline = [(0.0, 0.0), (even, 0.0), (40.0, -6.0), (40.0, 9.0), (even, 3.0), (0.0, 3.0)];
+        let curve = Curve::new(&outline.map(DVec2::from), true).unwrap();
+        let ends = [(0.0, 1.5), (40.0, 1.5)].map(|p| curve.nearest(p.into()).s);
+        sides(&curve, ends, 3.5).is_some()
+    };
+    assert!(wedge(30.0) && wedge(22.0) && !wedge(17.0) && !wedge(5.0));
+}
+
+#[test]
+fn places_just_within_reach_are_near() {
+    let line = |from: (f64, f64), to: (f64, f64)| {
+        Curve::new(&[DVec2::from(from), DVec2::from(to)], false).unwrap()
+    };
+    let own = line((0.0, 0.0), (10.0, 0.0));
+    // Ten places, of which those at 0 to 4 lie below the other line, and 5 beside it.
+    assert_eq!(share_near(&own, &line((0.0, 2.0), (4.5, 2.0)), 2.0), 0.5);
+    assert_eq!(share_near(&own, &line((0.0, 2.0), (5.0, 2.0)), 2.0), 0.6);
+    assert_eq!(share_near(&own, &line((0.0, 2.1), (5.0, 2.1)), 2.0), 0.0);
+    // Eight places at least.
+    let short = line((0.0, 0.0), (1.0, 0.0));
+    assert_eq!(share_near(&short, &line((0.0, 2.0), (0.3, 2.0)), 2.0), 3.0 / 8.0);
+}

@@ -109,3 +109,66 @@ fn nothing_is_roomy_beyond_what_was_announced_and_no_wall_is_near_one_that_is_no
     assert!(walls.gap(1, 0.0, DVec2::ZERO, 3.0).is_infinite());
     assert!(Walls::new(&[], 2.0..=4.0).gap(0, 0.0, DVec2::ZERO, 3.0).is_infinite());
 }
+
+#[test]
+fn runs_are_stretches_of_one_wall_within_a_cell_without_a_gap() {
+    let mut random = Random(15);
+    let mut long = 0;
+    for _ in 0..20 {
+        let curves = curves(&mut random);
+        let walls = Walls::new(&curves, 2.0..=4.0);
+        let mut runs = Vec::new();
+        for cell in walls.begins.windows(2) {
+            let of_cell = &walls.runs[cell[0]..cell[1]];
+            let joined = |a: &Sample, b: &Sample| a.0 == b.0 && b.1 - a.1 < 2.0 * walls.pitch;
+            for (number, run) in of_cell.iter().enumerate() {
+                let own = &walls.samples[run.begin..run.end];
+                let (first, last) = (own[0], own[own.len() - 1]);
+                assert!(own.windows(2).all(|pair| joined(&pair[0], &pair[1])));
+                assert!(
+                    own.iter().all(|sample| walls.cells.of(sample.2) == walls.cells.of(first.2))
+                );
+                assert_eq!((run.wall, run.from, run.to), (first.0 as usize, first.1, last.1));
+                // It ends where the next one does not go on.
+                if number + 1 < of_cell.len() {
+                    assert!(!joined(&last, &walls.samples[run.end]));
+                }
+                runs.push((run.begin, run.end));
+                long += usize::from(own.len() > 2);
+            }
+        }
+        // All samples, each once.
+        assert!(runs.windows(2).all(|pair| pair[0].1 == pair[1].0));
+        assert_eq!((runs[0].0, runs[runs.len() - 1].1), (0, walls.samples.len()));
+    }
+    assert!(long > 100, "{long}");
+}
+
+#[test]
+fn a_run_is_beside_a_place_if_all_of_it_is() {
+    // A ring of 100 mm and a line of the same length.
+    let ring = [(0.0, 0.0), (25.0, 0.0), (25.0, 25.0), (0.0, 25.0)].map(DVec2::from);
+    let line = [DVec2::new(0.0, 90.0), DVec2::new(100.0, 90.0)];
+    let walls = Walls::new(&[Curve::new(&ring, true), Curve::new(&line, false)], 2.0..=4.0);
+    let beside = |wall: usize, from: f64, to: f64, s: f64, within: f64| {
+        walls.is_beside(&Run { wall, from, to, begin: 0, end: 2 }, s, within)
+    };
+    for wall in [0, 1] {
+        assert!(beside(wall, 10.0, 30.0, 25.0, 15.0) && !beside(wall, 10.0, 30.0, 25.0, 14.9));
+        assert!(beside(wall, 10.0, 30.0, 15.0, 15.0) && !beside(wall, 10.0, 30.0, 15.0, 14.9));
+    }
+    // Round the ring's beginning, or all the long way round.
+    assert!(beside(0, 95.0, 98.0, 3.0, 8.0) && !beside(1, 95.0, 98.0, 3.0, 8.0));
+    assert!(!beside(0, 5.0, 95.0, 0.0, 20.0));
+    // A run as long as what lies beyond may hold just that; one that is all within reach never does.
+    assert!(beside(0, 20.0, 80.0, 0.0, 20.0) && !beside(0, 19.0, 81.0, 0.0, 20.0));
+    assert!(beside(0, 5.0, 95.0, 0.0, 50.0));
+}
+
+#[test]
+fn arc_lengths_apart_are_counted_the_shorter_way_round_a_ring() {
+    let ring = [(0.0, 0.0), (25.0, 0.0), (25.0, 25.0), (0.0, 25.0)].map(DVec2::from);
+    let walls = Walls::new(&[Curve::new(&ring, true), Curve::new(&ring, false)], 2.0..=4.0);
+    assert_eq!((walls.apart(0, 10.0, 35.0), walls.apart(0, 90.0, 5.0)), (25.0, 15.0));
+    assert_eq!((walls.apart(1, 10.0, 35.0), walls.apart(1, 70.0, 5.0)), (25.0, 65.0));
+}

@@ -1,0 +1,43 @@
+//! Slices of one level upon another: heights, and what is the same curve.
+
+use super::*;
+use crate::wireframe::lay::scene::{Scene, curve, rim, square};
+
+#[test]
+fn what_lies_on_something_lies_two_fifths_of_a_strand_higher() {
+    let scene = Scene::slab(5.0, &[square(20.0)]);
+    let told = |level: usize, number: usize| {
+        let step = LevelStep { level, number, below: &[], contours: &[], ledges: &[] };
+        scene.ask(|cx, _| height(cx, &step))
+    };
+    let close = |a: f64, b: f64| (a - b).abs() < 1e-12;
+    // On the bed the first slice lies on nothing, nor does the second lie on more than that.
+    assert!(close(told(0, 0), 0.35) && close(told(0, 1), 0.35) && close(told(0, 2), 0.63));
+    assert!(close(told(1, 0), 5.35) && close(told(1, 1), 5.63) && close(told(1, 2), 5.91));
+}
+
+#[test]
+fn a_rim_lies_under_a_contour_that_is_nowhere_a_strand_off() {
+    let own = curve(&square(20.0));
+    assert!(follows(&own, &rim(&square(20.0), 5.0), 0.7));
+    assert!(follows(&own, &rim(&square(20.69), 5.0), 0.7));
+    assert!(!follows(&own, &rim(&square(20.71), 5.0), 0.7));
+    let mut open = rim(&square(20.0), 5.0);
+    open.closed = false;
+    assert!(!follows(&own, &open, 0.7));
+}
+
+#[test]
+fn a_ledge_is_carried_by_its_own_rims_and_by_columns() {
+    let ring = |half: f64| rim(&square(half), 5.0);
+    let column = Rim { support: true, ..ring(3.0) };
+    let printed = Ground {
+        rims: vec![Some(ring(20.0)), None, Some(ring(9.0))],
+        lines: vec![ring(4.0), column],
+    };
+    let of = |lower: &[u32]| -> Vec<f64> {
+        let ledge = Strip { lower: lower.to_vec(), ..Strip::default() };
+        carriers(&ledge, &printed).iter().map(|rim| rim.points[2].x).collect()
+    };
+    assert_eq!((of(&[0, 1]), of(&[2]), of(&[])), (vec![20.0, 3.0], vec![9.0, 3.0], vec![3.0]));
+}
