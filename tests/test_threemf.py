@@ -495,8 +495,9 @@ def test_xml_is_well_formed_where_expat_says_so(inner, edits, cut):
         read_model_part([content[:cut], content[cut:]])
         found = True
     except ModelError as error:
-        found = False
-        assert "damaged" in str(error)  # noqa: PT017
+        # Well-formed, but no model.
+        found = "no <model>" in str(error)
+        assert found or "damaged" in str(error)  # noqa: PT017
     assert found == expected
 
 
@@ -594,6 +595,11 @@ HOSTILE = {
         "placed by numbers that make no sense",
     ),
     "short matrix": ({MODEL: model(items='<item objectid="1" transform="1 0"/>')}, "12 numbers"),
+    "another outermost element": (
+        {MODEL: model().replace("<model ", "<scene ").replace("</model>", "</scene>")},
+        "outermost element is no <model>",
+    ),
+    "a model within a model": ({MODEL: model(CUBE_OBJECT + '<model unit="inch"/>')}, "within another"),
     "unknown unit": ({MODEL: model(unit="parsec")}, "parsec"),
     "unknown object": ({MODEL: model(items='<item objectid="7"/>')}, "object '7'"),
     "object twice": ({MODEL: model(CUBE_OBJECT * 2)}, "another one has the id"),

@@ -6,9 +6,9 @@ use super::extensions::{self, BEAMS, PRODUCTION, SETS, SLIC3R};
 use super::model::{MOST_TRIANGLES, MOST_VERTICES, Object, Part, Placed};
 use super::paint::MOST_DIGITS;
 use super::values::{Read, count, kept, number, parsed, required};
-use crate::Result;
 use crate::mesh::weld::LARGEST;
 use crate::xml::{Element, Handler, Reader, shown};
+use crate::{CoreError, Result};
 
 /// Millimetres per unit (3MF core specification 1.3, section 3.4, attribute `unit`).
 const UNITS_MM: [(&str, f64); 6] = [
@@ -50,9 +50,13 @@ impl PartReader {
     /// Ends the part.
     ///
     /// # Errors
-    /// As [`Reader::finish`].
+    /// As [`Reader::finish`]; also where the document is another one than a model.
     pub fn finish(self) -> Result<Part> {
-        Ok(self.0.finish()?.part)
+        let filled = self.0.finish()?;
+        if !filled.is_model {
+            return Err(CoreError::Unreadable("its outermost element is no <model>".into()));
+        }
+        Ok(filled.part)
     }
 }
 
@@ -60,6 +64,7 @@ impl PartReader {
 #[derive(Default)]
 struct Filling {
     part: Part,
+    is_model: bool,
     /// Namespace of the outermost element, and so of the core specification.
     core: Option<String>,
     ids: HashSet<String>,
@@ -79,6 +84,7 @@ struct Filling {
 
 impl Handler for Filling {
     fn start(&mut self, element: &Element<'_>) -> Read<()> {
+        let outermost = self.core.is_none();
         let core = self.core.get_or_insert_with(|| element.namespace.to_string());
         let is_core = element.namespace == core;
         self.shape(element, is_core);
@@ -90,7 +96,8 @@ impl Handler for Filling {
                 "component" => self.component(element),
                 "item" => self.item(element),
                 "object" => self.object(element),
-                "model" => self.model(element),
+                "model" if outermost => self.model(element),
+                "model" => Err("makes no sense within another element".into()),
                 "metadata" => self.metadata(element),
                 _ => Ok(()),
             }
@@ -138,6 +145,7 @@ impl Filling {
         let (_, mm) =
             known.ok_or_else(|| format!("makes no sense: unknown unit '{}'", shown(&unit)))?;
         self.part.unit_mm = *mm;
+        self.is_model = true;
         Ok(())
     }
 
