@@ -599,7 +599,10 @@ HOSTILE = {
         {MODEL: model().replace("<model ", "<scene ").replace("</model>", "</scene>")},
         "outermost element is no <model>",
     ),
-    "a model within a model": ({MODEL: model(CUBE_OBJECT + '<model unit="inch"/>')}, "within another"),
+    "a model within a model": (
+        {MODEL: model(CUBE_OBJECT + '<model unit="inch"/>')},
+        "within another",
+    ),
     "unknown unit": ({MODEL: model(unit="parsec")}, "parsec"),
     "unknown object": ({MODEL: model(items='<item objectid="7"/>')}, "object '7'"),
     "object twice": ({MODEL: model(CUBE_OBJECT * 2)}, "another one has the id"),

@@ -202,7 +202,9 @@ impl Machine {
         axes: &Axes,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        self.set_feed(axes.f);
+        if !self.set_feed(axes.f) {
+            report(Event::Word(b'F'));
+        }
         let to = self.target(axes);
         let filament = if axes.e.is_some() { self.feed_filament(axes.e) } else { 0.0 };
         self.step(line, rapid, to, filament, report);
@@ -244,7 +246,9 @@ impl Machine {
         centre: CentreWords,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        self.set_feed(axes.f);
+        if !self.set_feed(axes.f) {
+            report(Event::Word(b'F'));
+        }
         let from = self.position;
         let to = self.target(axes);
         let filament = self.feed_filament(axes.e);
@@ -340,6 +344,12 @@ impl Machine {
                 self.homed = [false; 3];
                 report(Event::Other(*command));
             }
+            // Refused, or a standstill: firmwares differ in what nothing or less per cent is.
+            Command::M(220 | 221, words)
+                if words.get(b'S').is_some_and(|percent| percent <= 0.0) =>
+            {
+                report(Event::Other(*command));
+            }
             Command::M(220, words) => self.set_feed_factor(words),
             Command::M(221, words) => set_percent(&mut self.flow_factor, words.get(b'S')),
             ref other => {
@@ -428,14 +438,17 @@ impl Machine {
         seconds.unwrap_or(0.0).max(0.0)
     }
 
-    /// Zero or less is refused, as firmwares do.
+    /// Sets a feed that is stated; whether it can be one. Zero or less changes nothing, as in Marlin;
+    /// Klipper ends the print at it, and RepRapFirmware crawls.
     #[inline]
-    fn set_feed(&mut self, per_minute: Option<f64>) {
-        let Some(per_minute) = per_minute else { return };
+    fn set_feed(&mut self, per_minute: Option<f64>) -> bool {
+        let Some(per_minute) = per_minute else { return true };
         let speed = per_minute * self.mm_per_unit / 60.0;
-        if speed > f64::EPSILON {
+        let valid = speed > f64::EPSILON;
+        if valid {
             self.feed = speed;
         }
+        valid
     }
 
     /// M220: S sets; in Marlin R brings back what B kept before.
@@ -531,9 +544,10 @@ impl Machine {
         report(Event::Home(home));
     }
 
-    /// M18 and M84: motors that are off lose their place. With S alone a time is set.
+    /// M18 and M84: motors that are off lose their place. With S alone a time is set; Klipper reads no
+    /// words.
     fn release(&mut self, words: Words<'_>) {
-        let all = words.letters().next().is_none();
+        let all = words.letters().next().is_none() || self.settings.dialect == Dialect::Klipper;
         for (homed, letter) in self.homed.iter_mut().zip(*b"XYZ") {
             *homed &= !(all || words.has(letter));
         }

@@ -25,7 +25,7 @@ const HARMLESS_M: &[u32] = &[
     143, 144, 150, 154, 155, 190, 191, 192, 200, 201, 202, 203, 204, 205, 207, 210, 211, 250, 256,
     259, 300, 301, 302, 304, 305, 308, 309, 310, 355, 400, 404, 405, 406, 407, 412, 413, 500, 503,
     504, 550, 552, 555, 562, 564, 566, 568, 569, 570, 571, 572, 573, 575, 591, 593, 710, 862, 900,
-    905, 909, 911, 912, 914, 916, 917, 918, 919, 950, 951,
+    905, 909, 911, 912, 914, 919, 950, 951,
 ];
 
 /// G60 keeps a place, without going there; G94 is how speeds are told anyway.
@@ -100,6 +100,10 @@ const FRAME_NAMED: &[&str] = &[
     "Z_OFFSET_APPLY_PROBE",
 ];
 
+/// `RepRapFirmware`'s words of conditions and loops, which are small letters.
+const CONDITIONAL: &[&[u8]] =
+    &[b"if", b"elif", b"else", b"while", b"break", b"continue", b"abort", b"return"];
+
 /// What follows these is text, in which a letter is no word.
 const TEXT_M: &[u32] = &[20, 23, 28, 29, 30, 32, 36, 70, 72, 98, 117, 118, 550, 552, 928];
 
@@ -113,6 +117,9 @@ pub const HOMING_WORD: &str = "how this word changes the way home is not known";
 const DIRECTION: &str = "it may turn a motor's direction";
 const LEAVES_OUT: &str = "what follows may be left out";
 const TUNES: &str = "it heats and cools the nozzle at its own will";
+const FACTOR: &str = "firmwares refuse it, or nothing moves or comes out any more";
+const DRY: &str = "the firmware may do as if it printed, and print nothing";
+const CONDITION: &str = "whether what follows is carried out is not known";
 const HOST: &str = "the host may pause, cancel or move at this word";
 
 /// What a command does that the machine reports as somebody else's.
@@ -160,6 +167,9 @@ fn of_m(code: u32, words: Words<'_>, dialect: Dialect) -> Effect {
         208 if words.letters().any(|word| b"XYZUVW".contains(&word)) => Effect::Unknown(FRAME),
         208 => Effect::Harmless,
         303 => Effect::Unknown(TUNES),
+        220 | 221 => Effect::Unknown(FACTOR),
+        // Marlin's and Repetier's flags: 8 feeds nothing, 16 and 32 move nothing.
+        111 if words.get(b'S').is_some_and(|flags| flags >= 8.0) => Effect::Unknown(DRY),
         118 if commands_the_host(words) => Effect::Unknown(HOST),
         486 if leaves_out() => Effect::Unknown(LEAVES_OUT),
         486 => Effect::Harmless,
@@ -188,6 +198,8 @@ fn of_named(name: &[u8], words: Words<'_>) -> Effect {
         Effect::Unknown(HOST)
     } else if name.eq_ignore_ascii_case(b"EXCLUDE_OBJECT") && !words.0.trim_ascii().is_empty() {
         Effect::Unknown(LEAVES_OUT)
+    } else if CONDITIONAL.contains(&name) {
+        Effect::Unknown(CONDITION)
     } else if is_one_of(HARMLESS_NAMED) {
         Effect::Harmless
     } else if is_one_of(FRAME_NAMED) {
@@ -234,14 +246,12 @@ pub fn has_second_command(command: &Command<'_>) -> bool {
     })
 }
 
-/// Whether a homing has words that may change its way: others than axes, those of [`Machine`] and
-/// those that tell what becomes of a mesh of the bed.
-///
-/// [`Machine`]: super::machine::Machine
+/// Whether a homing has words that may change its way: others than axes and those that tell what
+/// becomes of a mesh of the bed. Marlin's O, "only what is not home", others do not know.
 #[must_use]
 pub fn homes_otherwise(command: &Command<'_>) -> bool {
     matches!(command, Command::Home { words, .. }
-        if words.letters().any(|word| !b"XYZOLW".contains(&word)))
+        if words.letters().any(|word| !b"XYZLW".contains(&word)))
 }
 
 /// Whether the printer is taken to have homed by itself when it has carried out a command that
