@@ -33,6 +33,7 @@ __all__ = [
     "Strands",
     "Thumbnails",
     "Toolpath",
+    "Touchable",
     "UnprintableError",
     "Wireframe",
     "WireprintError",
@@ -69,6 +70,7 @@ __all__ = [
     "tallest_slab",
     "toolpath",
     "wireframe",
+    "within",
 ]
 
 __version__: str
@@ -546,6 +548,29 @@ def wireframe(
 def nearest(
     places: npt.NDArray[np.float64], among: npt.NDArray[np.float64]
 ) -> npt.NDArray[np.uint32]: ...
+
+_Numbers: TypeAlias = npt.NDArray[np.int64]
+#: Of lines: points, the layer of each, where each line's begin, and the group of each line.
+_Route: TypeAlias = tuple[npt.NDArray[np.float64], _Numbers, _Numbers, _Numbers]
+#: Segments, shape (S, 2, 2), or places, shape (P, 2), mm, and the layer of each.
+_OnLayers: TypeAlias = tuple[npt.NDArray[np.float64], _Numbers]
+
+@final
+class Touchable:
+    def __new__(
+        cls, contours: _OnLayers, rims: _OnLayers, strand_mm: float, thickest_mm: float
+    ) -> Touchable: ...
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes) -> Touchable: ...
+    def anchored(self, route: _Route, loose: _OnLayers) -> _Route: ...
+
+def within(
+    places: npt.NDArray[np.float64],
+    layers: _Numbers,
+    reach_mm: npt.NDArray[np.float64],
+    among: _OnLayers,
+) -> npt.NDArray[np.bool_]: ...
 def order_lattice(
     nodes: npt.NDArray[np.float64],
     edges: Sequence[Sequence[int]],

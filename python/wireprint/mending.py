@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -46,6 +47,7 @@ def mended(
     standing: Standing | None = None,
     at_mm: Point = (0.0, 0.0, 0.0),
     rounds: int = ROUNDS,
+    most_mm: float = math.inf,
 ) -> Wireframe | None:
     """Leave out of a print the strands that break the rules, and what would hang on them.
 
@@ -61,6 +63,8 @@ def mended(
         What stands already, and where the print does; see `wireprint.check`.
     rounds
         Most prints that are tried.
+    most_mm
+        Length of strands that may be left out, mm.
 
     Returns
     -------
@@ -75,6 +79,9 @@ def mended(
         dropped = _blamed(strands, certificate, origin_mm(settings, at_mm))
         throughout = number == 0 and len(dropped) > _MOST * strands.strand_count
         if throughout or not 0 < len(dropped) < strands.strand_count:
+            return None
+        most_mm -= _length_mm(strands.strands[dropped])
+        if most_mm < 0:
             return None
         strands = strands.without(dropped, settings.strand_mm)
         path = toolpath(strands, settings, standing, at_mm)
@@ -128,6 +135,10 @@ def _number(own: npt.NDArray[np.float64], ends: npt.NDArray[np.float64]) -> int 
     off = np.maximum(_off(own, ends[0]), _off(own, ends[1]))
     best = int(np.argmin(off)) if len(off) else None
     return best if best is not None and off[best] <= _RESOLVED_MM else None
+
+
+def _length_mm(ends: npt.NDArray[np.float64]) -> float:
+    return float(np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
 
 
 def _off(

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
+from wireprint._core import within
 from wireprint.hybrid.group import Group
 from wireprint.layerwise.areas import Geometries, buffered
 
@@ -63,7 +64,7 @@ def aprons(
     first = np.where(on_wire, np.minimum(_TOUCH_RIM * recipe.width_mm, step), step)
     walled = outer[layers - 1]
     rims = np.where(on_wire, shapely.boundary(below), walled)
-    unsure = _leaves(outer[layers], shapely.union(rims, walled), first)
+    unsure = _leaves(outer[layers], (rims, walled), first)
     layers, first, step = layers[unsure], first[unsure], step[unsure]
     below, rims, walled = below[unsure], rims[unsure], walled[unsure]
     reached = shapely.union(buffered(rims, first), buffered(walled, step))
@@ -98,7 +99,7 @@ def aprons(
     return groups
 
 
-def _leaves(lines: Geometries, rims: Geometries, step_mm: Floats) -> Bools:
+def _leaves(lines: Geometries, rims: tuple[Geometries, ...], step_mm: Floats) -> Bools:
     """Tell which lines may have a part that is farther than a step from the rims of their layer.
 
     That no part is can be told from points along them, which is much sooner done than to grow the
@@ -106,10 +107,19 @@ def _leaves(lines: Geometries, rims: Geometries, step_mm: Floats) -> Bools:
     """
     apart_mm = _SAMPLED * step_mm
     points, line = shapely.get_coordinates(shapely.segmentize(lines, apart_mm), return_index=True)
-    shapely.prepare(rims)
-    near = shapely.dwithin(shapely.points(points), rims[line], (step_mm - apart_mm / 2)[line])
+    ends, of_line = zip(*map(_segments, rims), strict=True)
+    reach_mm = (step_mm - apart_mm / 2)[line]
+    near = within(points, line, reach_mm, (np.concatenate(ends), np.concatenate(of_line)))
     found: Bools = np.bincount(line, ~near, len(lines)) > 0
     return found
+
+
+def _segments(lines: Geometries) -> tuple[Floats, Ints]:
+    """Return the segments of all lines, shape (S, 2, 2), and which each is of."""
+    parts, line = shapely.get_parts(lines, return_index=True)
+    points, part = shapely.get_coordinates(parts, return_index=True)
+    begins = np.flatnonzero(part[1:] == part[:-1])
+    return np.stack([points[begins], points[begins + 1]], axis=1), line[part[begins]]
 
 
 def _reach(loose: shapely.Geometry, rims: shapely.Geometry) -> float:

@@ -109,16 +109,23 @@ class Plan:
 
     def avoiding(self, places_mm: npt.NDArray[np.float64]) -> Plan:
         """Return the plan whose lines neither begin nor end near some places, shape (P, 3)."""
-        return replace(self, loose=np.concatenate([self.loose, places_mm]))
+        plan = replace(self, loose=np.concatenate([self.loose, places_mm]))
+        # They are the same lines until they are anchored.
+        vars(plan)["_lines"] = self._lines
+        return plan
 
     @cached_property
     def laid(self) -> Laid:
         """All lines, each of which begins on something."""
-        recipe = self.sketch.recipe
-        inset_mm = self.settings.regions.inset * recipe.width_mm
-        laid = lay(self.sketch, self.runs, self._behind(), inset_mm)
         loose = self.loose[:, :2], self._layer_at(self.loose[:, 2])
-        return replace(laid, route=anchored(laid.route, self.sketch.touchable, loose))
+        route = anchored(self._lines.route, self.sketch.touchable, loose)
+        return replace(self._lines, route=route)
+
+    @cached_property
+    def _lines(self) -> Laid:
+        """All lines, wherever they begin."""
+        inset_mm = self.settings.regions.inset * self.sketch.recipe.width_mm
+        return lay(self.sketch, self.runs, self._behind(), inset_mm)
 
     def _layer_at(self, z: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
         """Return the layers at whose height some places lie, mm."""

@@ -185,14 +185,11 @@ def _trimmed(
 
     None where that does not help, or costs much of what dropping the runs that are to blame would.
     """
-    left = mended(strands, verdict, plan.settings, rounds=_MENDINGS)
-    if left is None:
-        return None
-    lost_mm = _length_mm(strands.strands) - _length_mm(left.strands)
     area_mm2 = np.array([run.area_mm2 for run in plan.sections])
     blamed_mm2 = float(area_mm2[list(blamed)].sum())
     at_stake = blamed_mm2 / max(float(area_mm2.sum()), 1e-9) if blamed else 1.0
-    return left if lost_mm <= _CHEAPER * at_stake * _layers_mm(strands) else None
+    most_mm = _CHEAPER * at_stake * _layers_mm(strands)
+    return mended(strands, verdict, plan.settings, rounds=_MENDINGS, most_mm=most_mm)
 
 
 def _loose(strands: Wireframe, verdict: Certificate, settings: Settings) -> npt.NDArray[np.float64]:

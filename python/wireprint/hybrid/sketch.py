@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import shapely
 
-from wireprint.hybrid.anchor import Touchable
+from wireprint.hybrid.anchor import touchable_of
 from wireprint.hybrid.cut import Cut, Samples, normals_of
 from wireprint.hybrid.flats import level_points
 from wireprint.hybrid.runs import Strips
@@ -21,7 +21,7 @@ from wireprint.stages import wireframe
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from wireprint._core import Mesh, Wireframe
+    from wireprint._core import Mesh, Touchable, Wireframe
     from wireprint.layerwise.areas import Geometries
     from wireprint.settings import Settings
 
@@ -99,7 +99,7 @@ class Sketch:
     @cached_property
     def touchable(self) -> Touchable:
         """Contours and rims that lines may begin on."""
-        return Touchable(self.cut, self._rims(), self._strand_mm)
+        return touchable_of(self.cut, self._rims(), self._strand_mm)
 
     @cached_property
     def bed(self) -> shapely.Geometry:

@@ -1,6 +1,7 @@
 //! The Python binding: converts, releases the GIL, calls the core. No algorithm lives here.
 
 mod amf;
+mod anchor;
 mod arrays;
 mod bgcode;
 mod carve;
@@ -32,6 +33,8 @@ mod _core {
 
     #[pymodule_export]
     use super::amf::read_amf;
+    #[pymodule_export]
+    use super::anchor::{Touchable, within};
     #[pymodule_export]
     use super::bgcode::bgcode_text;
     #[pymodule_export]

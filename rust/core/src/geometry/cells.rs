@@ -78,6 +78,12 @@ impl Cells {
         self.number(column, row)
     }
 
+    /// Where the cells of a row begin and end in y, mm, but for what lies beside the rectangle.
+    #[must_use]
+    pub fn heights(&self, row: usize) -> [f64; 2] {
+        [row, row + 1].map(|edge| self.origin.y + edge as f64 * self.side)
+    }
+
     /// Columns and rows of the cells that a box reaches into.
     #[must_use]
     pub fn span(&self, low: DVec2, high: DVec2) -> Span {
