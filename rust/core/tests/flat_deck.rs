@@ -9,7 +9,7 @@ use wireprint_core::geometry::curve::segment_distance;
 use wireprint_core::geometry::polygon;
 use wireprint_core::wireframe::flat::bare::bare;
 use wireprint_core::wireframe::flat::deck::{Deck, deck};
-use wireprint_core::wireframe::flat::face::{Face, LineLimits, Wanted};
+use wireprint_core::wireframe::flat::face::{Face, LineLimits, LinesWanted};
 use wireprint_core::wireframe::flat::holds::Holds;
 
 const SPACING: f64 = 6.0;
@@ -37,7 +37,7 @@ fn ring(centre: DVec2) -> Vec<DVec2> {
 }
 
 /// The deck of a face whose rings are all printed, over columns with these middles.
-fn closed(rings: &[Vec<DVec2>], tops: &[DVec2], wanted: Wanted) -> Deck {
+fn closed(rings: &[Vec<DVec2>], tops: &[DVec2], wanted: LinesWanted) -> Deck {
     let columns = tops.iter().flat_map(|&top| edges(&ring(top)));
     let holds = Holds::new(rings.iter().flat_map(|r| edges(r)).chain(columns).collect());
     deck(&Face { rings, whole: true, holds: &holds, tops, wanted }, &LIMITS)
@@ -88,10 +88,10 @@ fn left_bare(deck: &Deck, rings: &[Vec<DVec2>]) -> f64 {
 /// The deck once all columns stand that it asks for.
 fn settled(rings: &[Vec<DVec2>]) -> (Deck, Vec<DVec2>) {
     let mut tops = Vec::new();
-    let mut found = closed(rings, &tops, Wanted::All);
+    let mut found = closed(rings, &tops, LinesWanted::All);
     for _ in 0..3 {
         tops.extend(found.columns.iter().copied());
-        found = closed(rings, &tops, Wanted::All);
+        found = closed(rings, &tops, LinesWanted::All);
     }
     (found, tops)
 }
@@ -114,7 +114,7 @@ proptest! {
 
     #[test]
     fn lines_are_held_and_span_no_more_than_they_may(rings in face()) {
-        let alone = closed(&rings, &[], Wanted::All);
+        let alone = closed(&rings, &[], LinesWanted::All);
         assert_held(&alone, &rings, &[]);
         prop_assert_eq!(alone.left_out > 1e-6, !alone.columns.is_empty());
     }
@@ -131,12 +131,12 @@ proptest! {
     fn columns_beside_their_places_serve_as_well(
         rings in face(), shifts in prop::collection::vec((-9.0..9.0_f64, -9.0..9.0_f64), 40),
     ) {
-        let alone = closed(&rings, &[], Wanted::All);
+        let alone = closed(&rings, &[], LinesWanted::All);
         let mut tops: Vec<DVec2> = alone.columns.iter().zip(shifts).map(|(&p, s)| p + DVec2::from(s)).collect();
-        let mut found = closed(&rings, &tops, Wanted::All);
+        let mut found = closed(&rings, &tops, LinesWanted::All);
         for _ in 0..3 {
             tops.extend(found.columns.iter().copied());
-            found = closed(&rings, &tops, Wanted::All);
+            found = closed(&rings, &tops, LinesWanted::All);
         }
         assert_held(&found, &rings, &tops);
         prop_assert!(left_bare(&found, &rings) < 0.02 * polygon::signed_area(&rings[0]).abs() + SPACING * SPACING);
@@ -145,7 +145,7 @@ proptest! {
 
 #[test]
 fn a_square_is_closed_in_one_stroke() {
-    let deck = closed(&[rectangle(28.0, 28.0)], &[], Wanted::All);
+    let deck = closed(&[rectangle(28.0, 28.0)], &[], LinesWanted::All);
     assert_eq!(deck.lines.len(), 1);
     assert_eq!((deck.left_out, deck.joists.len()), (0.0, 0));
     assert!(deck.lines[0].len() >= 8);
@@ -153,24 +153,24 @@ fn a_square_is_closed_in_one_stroke() {
 
 #[test]
 fn what_is_wide_one_way_needs_no_joist() {
-    let deck = closed(&[rectangle(300.0, 60.0)], &[], Wanted::All);
+    let deck = closed(&[rectangle(300.0, 60.0)], &[], LinesWanted::All);
     assert!(deck.joists.is_empty() && deck.columns.is_empty() && deck.left_out == 0.0);
 }
 
 #[test]
 fn twice_the_span_takes_one_joist_over_one_column() {
     let rings = [rectangle(120.0, 120.0)];
-    let deck = closed(&rings, &[], Wanted::All);
+    let deck = closed(&rings, &[], LinesWanted::All);
     assert_eq!(deck.columns, [DVec2::splat(60.0)]);
     assert!(deck.left_out > 0.0);
-    let deck = closed(&rings, &deck.columns, Wanted::All);
+    let deck = closed(&rings, &deck.columns, LinesWanted::All);
     assert_eq!((deck.joists.len(), deck.columns.len(), deck.left_out), (1, 0, 0.0));
 }
 
 #[test]
 fn a_hole_is_left_open() {
     let hole: Vec<DVec2> = rectangle(8.0, 8.0).into_iter().map(|p| p + 10.0).rev().collect();
-    let deck = closed(&[rectangle(28.0, 28.0), hole], &[], Wanted::All);
+    let deck = closed(&[rectangle(28.0, 28.0), hole], &[], LinesWanted::All);
     for line in deck.lines.iter().flat_map(|l| l.windows(2)) {
         let middle = (line[0] + line[1]) * 0.5;
         assert!(!(middle - 14.0).abs().cmplt(DVec2::splat(3.9)).all());
@@ -181,7 +181,8 @@ fn a_hole_is_left_open() {
 fn no_line_ends_where_nothing_holds_it() {
     let rings = [rectangle(28.0, 28.0)];
     let holds = Holds::new(edges(&rings[0]).into_iter().take(3).collect());
-    let face = Face { rings: &rings, whole: false, holds: &holds, tops: &[], wanted: Wanted::All };
+    let face =
+        Face { rings: &rings, whole: false, holds: &holds, tops: &[], wanted: LinesWanted::All };
     let deck = deck(&face, &LIMITS);
     assert!(deck.lines.iter().flatten().all(|end| end.x > 0.1));
     assert!(deck.left_out > 0.0);
@@ -190,7 +191,7 @@ fn no_line_ends_where_nothing_holds_it() {
 #[test]
 fn a_small_figure_is_crossed_by_two_lines_at_least() {
     let figure: Vec<DVec2> = rectangle(3.0, 2.0).into_iter().map(|p| p + 30.0).collect();
-    let deck = closed(&[rectangle(60.0, 60.0)], &[], Wanted::Under(&figure));
+    let deck = closed(&[rectangle(60.0, 60.0)], &[], LinesWanted::Under(&figure));
     let crossing = deck
         .lines
         .iter()
@@ -205,7 +206,7 @@ fn lines_near_some_places_lead_from_hold_to_hold_around_them() {
     let rings = [rectangle(60.0, 40.0)];
     let across = [DVec2::new(20.0, 0.0), DVec2::new(20.0, 40.0)];
     let holds = Holds::new(edges(&rings[0]).into_iter().chain([across]).collect());
-    let wanted = Wanted::Near(&[DVec2::new(7.0, 20.0), DVec2::new(9.0, 26.0)]);
+    let wanted = LinesWanted::Near(&[DVec2::new(7.0, 20.0), DVec2::new(9.0, 26.0)]);
     let deck =
         deck(&Face { rings: &rings, whole: true, holds: &holds, tops: &[], wanted }, &LIMITS);
     assert!(!deck.lines.is_empty());

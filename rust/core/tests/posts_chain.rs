@@ -10,9 +10,8 @@ use solids::Random;
 use wireprint_core::geometry::curve::Curve;
 use wireprint_core::head::Head;
 use wireprint_core::stroke::Strokes;
-use wireprint_core::wireframe::place::posts::{
-    Candidate, Post, PostParams, leads_down, place, reachable,
-};
+use wireprint_core::wireframe::place::chain::place;
+use wireprint_core::wireframe::place::posts::{Candidate, Post, PostParams, leads_down, reachable};
 use wireprint_core::wireframe::place::tuning::{ALIGN, CLOSE, EVEN, LONE};
 
 /// Height of what posts stand on, mm.

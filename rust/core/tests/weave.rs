@@ -9,9 +9,8 @@ use solids::Random;
 use wireprint_core::geometry::curve::{Curve, Station};
 use wireprint_core::head::Head;
 use wireprint_core::stroke::Strokes;
-use wireprint_core::wireframe::place::posts::{
-    Begin, Candidate, Post, candidates, close, leads_down,
-};
+use wireprint_core::wireframe::place::candidates::{Begin, candidates};
+use wireprint_core::wireframe::place::posts::{Candidate, Post, close, leads_down};
 use wireprint_core::wireframe::place::rim::Rim;
 use wireprint_core::wireframe::place::tuning::{ALIGN, EVEN, TURN};
 use wireprint_core::wireframe::place::weave::{Home, LONGEST_WAIT, Place, WeaveParams, weave};

@@ -34,7 +34,7 @@ pub struct Costs<'a> {
 }
 
 /// What the walls of a slab cost that stand on one slice, s, and how far their chords stray.
-struct Walls {
+struct WallCosts {
     /// What they take.
     time: f64,
     /// What they would take on a quick printer.
@@ -67,7 +67,7 @@ impl Costs<'_> {
         let small = self.small(height, spacing);
         let walls = [(lower, upper), (upper, lower)]
             .map(|(outline, other)| self.walls(outline, other, &small));
-        let half = |of: fn(&Walls) -> f64| 0.5 * (of(&walls[0]) + of(&walls[1]));
+        let half = |of: fn(&WallCosts) -> f64| 0.5 * (of(&walls[0]) + of(&walls[1]));
         let (time, quick) = (half(|w| w.time), half(|w| w.quick));
         let worth = time.min(quick.max(WORTH * time));
         let length = 0.5 * (lower.length + upper.length);
@@ -94,7 +94,7 @@ impl Costs<'_> {
 
     /// What the walls of a slab cost that stand on a slice, the `other` one being at its other end: a
     /// zigzag each, or a coil.
-    fn walls(&self, outline: &Outline, other: &Outline, small: &SmallWalls) -> Walls {
+    fn walls(&self, outline: &Outline, other: &Outline, small: &SmallWalls) -> WallCosts {
         let (p, SmallWalls { height, spacing, .. }) = (self.params, *small);
         let stroke = height + height.hypot(spacing);
         let strokes = strokes_take(p.climb, p.speed, height, spacing);
@@ -104,7 +104,7 @@ impl Costs<'_> {
         // beyond the paper's run is not held against the slab: lower slabs would cost more time than
         // they gain in fidelity.
         let sag = spacing * self.strokes.paper_run(height) / 12.0;
-        let mut walls = Walls {
+        let mut walls = WallCosts {
             time: outline.length * post,
             quick: outline.length * quick,
             sag: outline.turning * sag,

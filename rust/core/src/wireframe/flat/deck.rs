@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use crate::geometry::hatch::{Row, between, extent, join, lines, middles};
-use crate::wireframe::flat::face::{Face, LineLimits, Wanted};
+use crate::wireframe::flat::face::{Face, LineLimits, LinesWanted};
 use crate::wireframe::flat::joists::{Gap, Joists, joists};
 
 /// Directions tried for the lines.
@@ -38,7 +38,7 @@ pub struct Deck {
 }
 
 /// A line within a face.
-struct Line {
+struct FaceLine {
     ends: [DVec2; 2],
     /// Where it is held, as arc lengths from its first end, ascending, mm.
     stops: Vec<f64>,
@@ -46,7 +46,7 @@ struct Line {
     wanted: [f64; 2],
 }
 
-impl Line {
+impl FaceLine {
     fn length(&self) -> f64 {
         self.ends[0].distance(self.ends[1])
     }
@@ -79,7 +79,7 @@ impl Line {
 /// The lines of a face in one direction, and what carries them.
 struct Plan {
     along: DVec2,
-    rows: Vec<Vec<Line>>,
+    rows: Vec<Vec<FaceLine>>,
     carried: Joists,
     longest: f64,
 }
@@ -116,7 +116,7 @@ impl Plan {
             let short = line.stretches().all(|[from, to]| to - from <= limits.span);
             let stops = || face.stops(&line.ends, line.length(), limits.touch);
             short
-                || Line { stops: stops(), ..*line }
+                || FaceLine { stops: stops(), ..*line }
                     .stretches()
                     .all(|[from, to]| to - from <= limits.span)
         })
@@ -167,9 +167,9 @@ pub fn deck(face: &Face, limits: &LineLimits) -> Deck {
 }
 
 /// The wanted lines of each row.
-fn rows(face: &Face, limits: &LineLimits, along: DVec2) -> Vec<Vec<Line>> {
+fn rows(face: &Face, limits: &LineLimits, along: DVec2) -> Vec<Vec<FaceLine>> {
     let across = along.perp();
-    let figure = if let Wanted::Under(figure) = face.wanted { Some(figure) } else { None };
+    let figure = if let LinesWanted::Under(figure) = face.wanted { Some(figure) } else { None };
     let reach = |direction: DVec2| match figure {
         Some(figure) => extent(figure.iter().map(|p| p.dot(direction))),
         None => extent(face.rings.iter().flatten().map(|p| p.dot(direction))),
@@ -184,12 +184,12 @@ fn rows(face: &Face, limits: &LineLimits, along: DVec2) -> Vec<Vec<Line>> {
         row.retain(|ends| ends[0].distance(ends[1]) > SHORT * limits.spacing);
     }
     let wanted = match face.wanted {
-        Wanted::All => whole(&rows),
-        Wanted::Near(places) => near(&rows, along, &levels, places),
-        Wanted::Under(_) => under(&rows, along, reach(along)),
+        LinesWanted::All => whole(&rows),
+        LinesWanted::Near(places) => near(&rows, along, &levels, places),
+        LinesWanted::Under(_) => under(&rows, along, reach(along)),
     };
     let line = |(ends, wanted): ([DVec2; 2], Option<[f64; 2]>)| {
-        Some(Line { ends, stops: stops(face, ends, limits), wanted: wanted? })
+        Some(FaceLine { ends, stops: stops(face, ends, limits), wanted: wanted? })
     };
     let rows = rows.into_iter().zip(wanted);
     rows.map(|(row, wanted)| row.into_iter().zip(wanted).filter_map(line).collect()).collect()
@@ -237,7 +237,7 @@ fn near(rows: &[Row], along: DVec2, levels: &[f64], places: &[DVec2]) -> Parts {
 /// Where a line is held.
 fn stops(face: &Face, ends: [DVec2; 2], limits: &LineLimits) -> Vec<f64> {
     let length = ends[0].distance(ends[1]);
-    if face.whole && length <= limits.span && !matches!(face.wanted, Wanted::Near(_)) {
+    if face.whole && length <= limits.span && !matches!(face.wanted, LinesWanted::Near(_)) {
         return vec![0.0, length];
     }
     face.stops(&ends, length, limits.touch)

@@ -16,12 +16,12 @@ pub struct Face<'a> {
     /// The middles of columns that end or pass there, mm.
     pub tops: &'a [DVec2],
     /// The lines that are wanted.
-    pub wanted: Wanted<'a>,
+    pub wanted: LinesWanted<'a>,
 }
 
 /// Which lines of a face are wanted.
 #[derive(Clone, Copy)]
-pub enum Wanted<'a> {
+pub enum LinesWanted<'a> {
     /// All of them.
     All,
     /// Those nearest to some places.

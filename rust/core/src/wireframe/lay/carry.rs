@@ -6,7 +6,7 @@ use glam::DVec2;
 use crate::geometry::curve::Curve;
 use crate::geometry::polygon;
 use crate::strand::Kind;
-use crate::wireframe::flat::face::Wanted;
+use crate::wireframe::flat::face::LinesWanted;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::decks::LevelFace;
 use crate::wireframe::lay::ground::{Ground, places};
@@ -48,7 +48,7 @@ pub fn carry(
     if figure.iter().find(lies_within).is_none() {
         return Carried::default();
     }
-    let deck = place.deck(cx, Wanted::Under(figure), cx.p.cap_spacing);
+    let deck = place.deck(cx, LinesWanted::Under(figure), cx.p.cap_spacing);
     if place.wants_columns(cx, journal, &deck) {
         return Carried { lines: Vec::new(), is_wanted: true };
     }

@@ -46,8 +46,8 @@ pub fn coil(
     let found = group
         .jobs
         .iter()
-        .filter_map(|&job| Wall::new(cx, journal, top, &jobs[job], ground).map(|wall| (job, wall)));
-    let (numbers, mut walls): (Vec<usize>, Vec<Wall>) = found.unzip();
+        .filter_map(|&job| Tube::new(cx, journal, top, &jobs[job], ground).map(|wall| (job, wall)));
+    let (numbers, mut walls): (Vec<usize>, Vec<Tube>) = found.unzip();
     // Walls of one group rise in step.
     let turns = walls.iter().map(|wall| wall.turns).max().unwrap_or(1);
     for wall in &mut walls {
@@ -61,7 +61,7 @@ pub fn coil(
     let are_clear = |laps: &Vec<Vec<DVec3>>| {
         [laps.first(), laps.last()].into_iter().flatten().all(|lap| is_clear(lap))
     };
-    let small = small_walls(cx, walls.first().map_or(0.0, Wall::height));
+    let small = small_walls(cx, walls.first().map_or(0.0, Tube::height));
     let clearance = |rise: f64| cx.head.clearance(rise) * SLACK;
     let at_once = small.turns_at_once(turns, group.gap, clearance);
     let (Some(at_once), true) = (at_once, laps.iter().all(are_clear)) else { return Vec::new() };
@@ -95,7 +95,7 @@ pub fn small_walls(cx: &Context, height: f64) -> SmallWalls {
 }
 
 /// A wall between a printed ring and the contour above it.
-pub struct Wall<'a> {
+pub struct Tube<'a> {
     /// The ring below, which runs as the contour does.
     pub lower: Curve,
     upper: &'a Curve,
@@ -109,7 +109,7 @@ pub struct Wall<'a> {
     kind: Kind,
 }
 
-impl<'a> Wall<'a> {
+impl<'a> Tube<'a> {
     /// The wall of a job, if it could be coiled and that is worth it.
     pub fn new(
         cx: &Context,

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::coil::{Near, gap, keep_groups};
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::stroke::SLACK;
-use crate::wireframe::lay::coil::{Group, Wall, small_walls};
+use crate::wireframe::lay::coil::{Group, Tube, small_walls};
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::job::{Job, plans};
@@ -32,7 +32,7 @@ impl Coils {
         let mut able = vec![false; jobs.len()];
         if cx.p.has_forms() && cx.layered.slab(top.slab).is_none() {
             let is_able = |(i, job): (usize, &Job)| {
-                woven[i].is_none() && Wall::new(cx, journal, top, job, ground).is_some()
+                woven[i].is_none() && Tube::new(cx, journal, top, job, ground).is_some()
             };
             able = jobs.iter().enumerate().map(is_able).collect();
         }

@@ -6,7 +6,7 @@ use crate::geometry::nearest_first::bounds;
 use crate::geometry::polygon;
 use crate::strand::{Kind, Strand};
 use crate::wireframe::flat::deck::{Deck, deck};
-use crate::wireframe::flat::face::{Face, LineLimits, Wanted};
+use crate::wireframe::flat::face::{Face, LineLimits, LinesWanted};
 use crate::wireframe::flat::holds::Holds;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::journal::Journal;
@@ -57,7 +57,7 @@ impl<'a> LevelFace<'a> {
     }
 
     /// Plans the strands that close the place, or cross it.
-    pub fn deck(&self, cx: &Context, wanted: Wanted, spacing: f64) -> Deck {
+    pub fn deck(&self, cx: &Context, wanted: LinesWanted, spacing: f64) -> Deck {
         let lower = &cx.sliced.lower[self.level];
         let middle = |points: &[DVec2]| points.iter().sum::<DVec2>() / points.len().max(1) as f64;
         let tops = lower.iter().filter(|c| c.support && self.level > 0);

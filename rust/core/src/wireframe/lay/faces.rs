@@ -7,7 +7,7 @@ use glam::DVec2;
 use crate::contours::Contour;
 use crate::strand::Kind;
 use crate::wireframe::flat::bare::bare;
-use crate::wireframe::flat::face::Wanted;
+use crate::wireframe::flat::face::LinesWanted;
 use crate::wireframe::frame::Reason;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::decks::LevelFace;
@@ -55,7 +55,7 @@ pub fn close(
     let Some(place) = LevelFace::new(cx, journal, level, &rings) else { return };
     let inside = place.inside(cx.p.strand);
     let lines = match inside.strands() {
-        [] => fill(cx, journal, &place, Wanted::All),
+        [] => fill(cx, journal, &place, LinesWanted::All),
         _ => {
             let (places, area) = bare(&place.plan, &inside, BARE * cx.p.cap_spacing);
             fill_bare(cx, journal, &place, &places, area)
@@ -107,11 +107,11 @@ fn fill_bare(
     if places.len() as f64 * area < (LEFT * cx.p.cap_spacing).powi(2) {
         return Vec::new();
     }
-    fill(cx, journal, place, Wanted::Near(places))
+    fill(cx, journal, place, LinesWanted::Near(places))
 }
 
 /// Prints strands from rim to rim; what is too wide for them is noted.
-fn fill(cx: &Context, journal: &mut Journal, place: &LevelFace, wanted: Wanted) -> Vec<Rim> {
+fn fill(cx: &Context, journal: &mut Journal, place: &LevelFace, wanted: LinesWanted) -> Vec<Rim> {
     let (spacing, kind) = lid(cx, &place.plan, place.level);
     let deck = place.deck(cx, wanted, spacing);
     place.wants_columns(cx, journal, &deck);

@@ -168,7 +168,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::wireframe::place::posts::{Begin, candidates};
+    use crate::wireframe::place::candidates::{Begin, candidates};
     use crate::wireframe::place::rim::Rim;
 
     const SIDE: f64 = 40.0;

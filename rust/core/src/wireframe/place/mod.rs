@@ -1,5 +1,8 @@
 //! Where the posts of a contour stand.
 
+pub mod averaging;
+pub mod candidates;
+pub mod chain;
 pub mod fold;
 pub mod gaps;
 pub mod guide;

@@ -2,7 +2,8 @@
 
 use crate::geometry::curve::Curve;
 use crate::head::Head;
-use crate::wireframe::place::posts::{Candidate, Chain, Post, PostParams};
+use crate::wireframe::place::chain::Chain;
+use crate::wireframe::place::posts::{Candidate, Post, PostParams};
 
 /// The cheapest chain through all posts of the plain print among the candidates; None where there
 /// are none. The first candidate of a closed curve is one of them.

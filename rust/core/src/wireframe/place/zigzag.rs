@@ -6,10 +6,12 @@ use serde::Deserialize;
 use crate::geometry::curve::Curve;
 use crate::head::Head;
 use crate::stroke::{SLACK, Strokes};
+use crate::wireframe::place::averaging::place_by_averaging;
+use crate::wireframe::place::candidates::{Begin, candidates};
+use crate::wireframe::place::chain::place;
 use crate::wireframe::place::guide::{Kept, merged};
 use crate::wireframe::place::posts::{
-    Begin, Candidate, Post, PostParams, candidates, even_spacing, leads_down, place,
-    place_by_averaging, reachable,
+    Candidate, Post, PostParams, even_spacing, leads_down, reachable,
 };
 use crate::wireframe::place::rim::{Footing, Rim};
 use crate::wireframe::place::through::place_through;

@@ -13,7 +13,7 @@ use crate::geometry::polygon;
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::params::WireParams;
-use crate::wireframe::plan::outline::Outline;
+use crate::wireframe::plan::section::Section;
 use crate::wireframe::plan::sliced::{Column, Sliced};
 use crate::wireframe::plan::strips::Strip;
 
@@ -138,7 +138,7 @@ struct Slice<'a> {
     level: usize,
     /// Its number among the level's steps; none for the slice that ends the slab below.
     step: Option<usize>,
-    outline: Outline<'a>,
+    outline: Section<'a>,
 }
 
 impl<'a> Site<'a> {
@@ -146,7 +146,7 @@ impl<'a> Site<'a> {
         let mut slices = Vec::new();
         for level in 0..sliced.levels.len() {
             let mut add = |step, contours| {
-                let outline = Outline::new(contours);
+                let outline = Section::new(contours);
                 slices.push(Slice { level, step, outline });
             };
             if level > 0 {

@@ -1,7 +1,7 @@
 //! What there is to print: levels, contours, strips.
 
 pub mod columns;
-pub mod outline;
+pub mod section;
 pub mod sheets;
 pub mod sliced;
 pub mod strips;

@@ -7,7 +7,7 @@ use crate::geometry::curve::Curve;
 use crate::geometry::polygon;
 use crate::mesh::{Mesh, shells};
 use crate::slices::heights::Level;
-use crate::wireframe::plan::outline::Outline;
+use crate::wireframe::plan::section::Section;
 
 /// What sticks out over less than this many strands of a contour's length is not worth a sheet.
 const LEAST: f64 = 4.0;
@@ -21,7 +21,7 @@ pub fn is_lost_between(
     above: &[Contour],
     strand: f64,
 ) -> bool {
-    let [below, above] = [below, above].map(Outline::new);
+    let [below, above] = [below, above].map(Section::new);
     let strays = |p: DVec2| below.distance(p) > strand && above.distance(p) > strand;
     let is_lost = |p: DVec2| strays(p) && below.holds(p) == above.holds(p);
     let curves = contours.iter().filter_map(|c| Curve::new(&c.points, c.closed));

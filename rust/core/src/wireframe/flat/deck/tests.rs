@@ -19,7 +19,7 @@ fn limits(span: f64) -> LineLimits {
 /// The runs of a line of 50 mm, by their distances from its first end.
 fn runs(stops: &[f64], wanted: [f64; 2], span: f64) -> Vec<[f64; 2]> {
     let ends = [DVec2::new(1.0, 2.0), DVec2::new(51.0, 2.0)];
-    let line = Line { ends, stops: stops.to_vec(), wanted };
+    let line = FaceLine { ends, stops: stops.to_vec(), wanted };
     assert_eq!(line.length(), 50.0);
     line.runs(span).into_iter().map(|run| run.map(|p| ((p.x - 1.0) * 1e9).round() / 1e9)).collect()
 }
@@ -129,22 +129,22 @@ fn the_plan_with_the_fewest_columns_then_joists_then_the_shortest_span_is_the_be
 #[test]
 fn rows_lie_evenly_and_leave_out_what_is_too_short() {
     let holds = Holds::new(Vec::new());
-    let found = |rings: &[Vec<DVec2>], wanted: Wanted| {
+    let found = |rings: &[Vec<DVec2>], wanted: LinesWanted| {
         let face = Face { rings, whole: true, holds: &holds, tops: &[], wanted };
         rows(&face, &limits(65.0), DVec2::X)
     };
-    let levels = |rows: &[Vec<Line>]| -> Vec<f64> {
+    let levels = |rows: &[Vec<FaceLine>]| -> Vec<f64> {
         rows.iter().flatten().map(|line| line.ends[0].y).collect()
     };
     let ring = |width: f64| [rectangle((0.0, 0.0), (width, 30.0))];
-    assert_eq!(levels(&found(&ring(1.6), Wanted::All)), [5.0, 10.0, 15.0, 20.0, 25.0]);
-    assert!(levels(&found(&ring(1.5), Wanted::All)).is_empty());
+    assert_eq!(levels(&found(&ring(1.6), LinesWanted::All)), [5.0, 10.0, 15.0, 20.0, 25.0]);
+    assert!(levels(&found(&ring(1.5), LinesWanted::All)).is_empty());
     // Two lines at least pass a figure, and are wanted where they do.
     let figure = rectangle((10.0, 4.0), (13.0, 6.0));
-    let under = found(&[rectangle((0.0, 0.0), (60.0, 40.0))], Wanted::Under(&figure));
+    let under = found(&[rectangle((0.0, 0.0), (60.0, 40.0))], LinesWanted::Under(&figure));
     assert_eq!(levels(&under), [4.5, 5.5]);
     assert!(under.iter().flatten().all(|line| line.wanted == [10.0, 13.0]));
-    let near = found(&ring(20.0), Wanted::Near(&[DVec2::new(4.0, 11.0)]));
+    let near = found(&ring(20.0), LinesWanted::Near(&[DVec2::new(4.0, 11.0)]));
     assert_eq!((levels(&near), near[1][0].wanted), (vec![10.0], [4.0, 4.0]));
 }
 
@@ -154,22 +154,23 @@ fn lines_are_held_by_printed_rings_at_their_ends() {
     let across = [DVec2::new(15.0, -1.0), DVec2::new(15.0, 21.0)];
     let holds = Holds::new(vec![across]);
     let ends = [DVec2::new(0.0, 10.0), DVec2::new(40.0, 10.0)];
-    let held = |whole: bool, span: f64, wanted: Wanted| {
+    let held = |whole: bool, span: f64, wanted: LinesWanted| {
         let face = Face { rings: &rings, whole, holds: &holds, tops: &[], wanted };
         stops(&face, ends, &limits(span))
     };
     // A short line from ring to ring needs no other hold.
-    assert_eq!(held(true, 40.0, Wanted::All), [0.0, 40.0]);
-    assert_eq!(held(true, 39.0, Wanted::All), [0.0, 15.0, 40.0]);
-    assert_eq!(held(true, 40.0, Wanted::Near(&[])), [0.0, 15.0, 40.0]);
-    assert_eq!(held(false, 40.0, Wanted::All), [15.0]);
+    assert_eq!(held(true, 40.0, LinesWanted::All), [0.0, 40.0]);
+    assert_eq!(held(true, 39.0, LinesWanted::All), [0.0, 15.0, 40.0]);
+    assert_eq!(held(true, 40.0, LinesWanted::Near(&[])), [0.0, 15.0, 40.0]);
+    assert_eq!(held(false, 40.0, LinesWanted::All), [15.0]);
 }
 
 #[test]
 fn what_spans_too_much_is_laid_over_joists_or_left_out() {
     let rings = [rectangle((0.0, 0.0), (100.0, 20.0))];
     let holds = Holds::new(edges(&rings[0]));
-    let face = Face { rings: &rings, whole: true, holds: &holds, tops: &[], wanted: Wanted::All };
+    let face =
+        Face { rings: &rings, whole: true, holds: &holds, tops: &[], wanted: LinesWanted::All };
     let planned = |span: f64| {
         let plan = Plan::new(&face, &limits(span), DVec2::X);
         assert_eq!(plan.longest, 100.0);

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::solids::Random;
-use crate::wireframe::flat::face::Wanted;
+use crate::wireframe::flat::face::LinesWanted;
 use crate::wireframe::flat::holds::Holds;
 
 const LIMITS: LineLimits = LineLimits { spacing: 6.0, span: 35.0, touch: 0.2 };
@@ -16,7 +16,7 @@ fn across(x: f64) -> [DVec2; 2] {
 }
 
 fn face<'a>(rings: &'a [Vec<DVec2>], holds: &'a Holds, tops: &'a [DVec2]) -> Face<'a> {
-    Face { rings, whole: true, holds, tops, wanted: Wanted::All }
+    Face { rings, whole: true, holds, tops, wanted: LinesWanted::All }
 }
 
 #[test]

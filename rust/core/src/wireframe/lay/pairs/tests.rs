@@ -84,11 +84,10 @@ fn both_walls_stand_on_posts_of_one_zigzag_that_goes_on_where_the_head_is() {
         let (strands, posts) = zigzag(&scene, DVec3::new(x, y, 0.35));
         assert_eq!((posts[0].0, posts[1].0), (first, 1 - first));
         assert!(posts.iter().all(|(_, count)| *count > 8), "{posts:?}");
-        if x > 0.0 {
-            assert_eq!(strands[0].from, DVec3::new(x, y, 0.35));
-        }
+        // At the corner where the head is, or across from it.
+        assert!(x == 0.0 || strands[0].from.distance(DVec3::new(x, y, 0.35)) < 4.5);
         // All round, not back over the way it came.
         let turns = strands.windows(2).map(|s| s[0].to.truncate().angle_to(s[1].to.truncate()));
-        assert!((turns.sum::<f64>().abs() - std::f64::consts::TAU).abs() < 0.7);
+        assert!((turns.sum::<f64>().abs() - std::f64::consts::TAU).abs() < 1.0);
     }
 }

@@ -7,12 +7,12 @@ use crate::geometry::polygon;
 use crate::geometry::segments::Segments;
 
 /// The contours of a slice without those of columns.
-pub struct Outline<'a> {
+pub struct Section<'a> {
     contours: Vec<&'a Contour>,
     segments: Segments,
 }
 
-impl<'a> Outline<'a> {
+impl<'a> Section<'a> {
     /// Lists the contours.
     #[must_use]
     pub fn new(contours: &'a [Contour]) -> Self {
