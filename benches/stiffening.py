@@ -85,13 +85,18 @@ def main():
     for machine, model, row in shared_models.on_each(MACHINES, [options.manifest], evaluate, jobs):
         found[machine].append(row | {"model": model})
         print(machine, model, row.get("error") or row.get("after_mm"), file=sys.stderr, flush=True)
+        # Anew with every row: what was measured stays, should the rest not be.
+        options.output.write_text(page(found), encoding="utf-8")
+
+
+def page(found):
+    """Lay out the rows of each machine."""
     tables, summary = "", ""
     for machine, rows in found.items():
         rows.sort(key=lambda row: row["model"])
         tables += f"## {machine}\n\n{shared_models.markdown(COLUMNS, rows)}\n\n"
         summary += told(machine, rows)
-    page = PAGE.format(tables=tables.rstrip(), summary=summary.rstrip())
-    options.output.write_text(page, encoding="utf-8")
+    return PAGE.format(tables=tables.rstrip(), summary=summary.rstrip())
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from command import run
-from wireprint import Mesh, Settings, make, simulate
+from wireprint import Mesh, Settings, forecast_terms, make, simulate
 from wireprint.stiffening import stiffened
 
 
@@ -53,6 +53,19 @@ def test_a_print_that_gives_way_is_made_stiffer(reed, plain):
     assert made.certificate.ok
     again = make(reed, Settings.load(overrides=told.overrides), compare=False)
     assert again.gcode == made.gcode, "what is told repeats it"
+
+
+def test_a_print_that_cannot_be_judged_is_never_taken(reed, plain, monkeypatch):
+    first = simulate(plain.gcode)
+
+    monkeypatch.setattr(forecast_terms, "MOST_WORK", 1.0)
+    known = {plain.gcode: first}
+    monkeypatch.setattr(
+        "wireprint.stiffening.simulate",
+        lambda gcode, settings, grip_n: known.get(gcode) or simulate(gcode, settings, grip_n),
+    )
+    made, forecast, told = stiffened(reed, plain, None, {"compare": False})
+    assert (made, forecast, told.overrides, told.enough) == (plain, first, (), False)
 
 
 def test_a_print_that_holds_stays_as_it_is(cube):

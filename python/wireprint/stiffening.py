@@ -8,6 +8,7 @@ suffice the quickest is taken, else the one that gives way least.
 from __future__ import annotations
 
 import json
+import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
@@ -82,7 +83,9 @@ class _Print:
         return self.made.estimate.total_s
 
     def lacks(self, grip_n: float | None) -> float:
-        """Return by what factor it falls short; up to 1: it suffices."""
+        """Return by what factor it falls short; up to 1: it suffices, as far as it was judged."""
+        if not self.forecast.core.frame_judged:
+            return math.inf
         meets = self.meets_mm / (self.forecast.rules["meets"].limit or 1.0)
         if grip_n is None or self.bears_n is None:
             return meets

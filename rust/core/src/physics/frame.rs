@@ -14,6 +14,10 @@ use crate::geometry::disjoint_sets::UnionFind;
 /// Beams shorter than this are joints, mm: what G-code resolves.
 const SHORTEST_MM: f64 = 1e-3;
 
+/// Places that are joined to one node lie within so many reaches of a contact: strands that cross, with
+/// what stands on them, but not a wall whose every turn lies on the last.
+const NODE_REACHES: f64 = 3.0;
+
 /// Strands that one task looks at.
 const BATCH: usize = 64;
 
@@ -87,8 +91,8 @@ impl Frame {
         mut contacts: Vec<Contact>,
         counts: impl Fn(usize) -> bool,
     ) -> Self {
-        // Ends first: what touches near an end then touches there.
-        contacts.sort_by_key(|contact| (contact.inner(), contact.strands));
+        // Ends first: what touches near an end then touches there. What goes on is one node anyway.
+        contacts.sort_by_key(|contact| (!contact.goes_on(), contact.inner(), contact.strands));
         let mut joining = Joining::new(deposit, touch(rules));
         for contact in contacts {
             joining.join(&contact);
@@ -146,20 +150,30 @@ struct Joining<'a> {
     reach: f64,
     /// Places on each strand with their numbers; its ends come first.
     on: Vec<Vec<(f64, u32)>>,
-    places: u32,
-    joined: Vec<[u32; 2]>,
+    /// Where each place is.
+    spots: Vec<DVec3>,
+    joined: Vec<Joined>,
+}
+
+/// Two places in contact.
+#[derive(Debug, Clone, Copy)]
+struct Joined {
+    places: [u32; 2],
+    /// The strand that was laid on the other.
+    strand: u32,
 }
 
 impl<'a> Joining<'a> {
     fn new(deposit: &'a Deposit, reach: f64) -> Self {
         let count = deposit.strands.len() as u32;
         let on = (0..count).map(|strand| vec![(0.0, 2 * strand), (1.0, 2 * strand + 1)]).collect();
-        Self { deposit, reach, on, places: 2 * count, joined: Vec::new() }
+        let spots = deposit.strands.iter().flatten().copied().collect();
+        Self { deposit, reach, on, spots, joined: Vec::new() }
     }
 
     fn join(&mut self, contact: &Contact) {
-        let [a, b] = [0, 1].map(|side| self.place(contact.strands[side], contact.at[side]));
-        self.joined.push([a, b]);
+        let places = [0, 1].map(|side| self.place(contact.strands[side], contact.at[side]));
+        self.joined.push(Joined { places, strand: contact.strands[1] });
     }
 
     /// The place at `u` along a strand: one nearby, or a new one.
@@ -172,34 +186,69 @@ impl<'a> Joining<'a> {
         {
             return place;
         }
-        on.push((u, self.places));
-        self.places += 1;
-        self.places - 1
+        let (place, [from, to]) = (self.spots.len() as u32, self.deposit.strands[strand as usize]);
+        on.push((u, place));
+        self.spots.push(from.lerp(to, u));
+        place
+    }
+
+    /// Sets of the places that are one node, and contacts between two of them, the first of each
+    /// two sets, in the order of their strands.
+    fn sets(&self) -> (UnionFind, Vec<Joined>) {
+        let mut sets = UnionFind::new(self.spots.len());
+        let mut boxes: Vec<[DVec3; 2]> = self.spots.iter().map(|&spot| [spot; 2]).collect();
+        let mut links = Vec::new();
+        for joined in &self.joined {
+            let [a, b] = joined.places.map(|place| sets.find(place));
+            let [one, other] = [a, b].map(|root| boxes[root as usize]);
+            let around = [one[0].min(other[0]), one[1].max(other[1])];
+            if (around[1] - around[0]).max_element() <= NODE_REACHES * self.reach {
+                sets.join_alone(a, b);
+                boxes[a.min(b) as usize] = around;
+            } else {
+                links.push(*joined);
+            }
+        }
+        let pair = |link: &Joined| {
+            let [a, b] = link.places.map(|place| sets.find(place));
+            [a.min(b), a.max(b)]
+        };
+        let mut links: Vec<_> = links.iter().map(|link| (pair(link), *link)).collect();
+        links.sort_by_key(|(pair, link)| (*pair, link.strand));
+        links.dedup_by_key(|(pair, _)| *pair);
+        links.sort_by_key(|(pair, link)| (link.strand, *pair));
+        (sets, links.into_iter().map(|(_, link)| link).collect())
     }
 
     fn frame(self, bed: f64, counts: impl Fn(usize) -> bool) -> Frame {
-        let mut sets = UnionFind::new(self.places as usize);
-        for [a, b] in self.joined {
-            sets.join_alone(a, b);
-        }
-        let mut nodes = Nodes { of: vec![None; self.places as usize], sums: Vec::new() };
+        let (sets, links) = self.sets();
+        let mut nodes = Nodes { of: vec![None; self.spots.len()], met: Vec::new() };
         let mut frame = Frame::default();
+        let mut links = links.into_iter().peekable();
         for (strand, mut on) in self.on.into_iter().enumerate() {
             if !counts(strand) {
                 frame.ends.push(None);
                 continue;
             }
             on.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let [from, to] = self.deposit.strands[strand];
-            let nodes: Vec<u32> =
-                on.iter().map(|&(u, place)| nodes.at(sets.find(place), from.lerp(to, u))).collect();
-            for pair in nodes.windows(2).filter(|pair| pair[0] != pair[1]) {
-                frame.beams.push(Beam { from: pair[0], to: pair[1], strand: strand as u32 });
+            let met: Vec<u32> = on
+                .iter()
+                .map(|&(_, place)| nodes.at(sets.find(place), self.spots[place as usize]))
+                .collect();
+            // What it touches holds it, before it holds anything itself.
+            let mut pairs = Vec::new();
+            while let Some(link) = links.next_if(|link| link.strand as usize == strand) {
+                let [other, own] = link.places.map(|place| nodes.of[sets.find(place) as usize]);
+                pairs.extend(own.zip(other).map(|(own, other)| [own, other]));
             }
-            frame.ends.push(nodes.first().zip(nodes.last()).map(|(&a, &b)| [a, b]));
+            pairs.extend(met.windows(2).map(|pair| [pair[0], pair[1]]));
+            for [from, to] in pairs.into_iter().filter(|pair| pair[0] != pair[1]) {
+                frame.beams.push(Beam { from, to, strand: strand as u32 });
+            }
+            frame.ends.push(met.first().zip(met.last()).map(|(&a, &b)| [a, b]));
         }
-        frame.places = nodes.sums.iter().map(|&(sum, count)| sum / count).collect();
-        frame.fixed = frame.places.iter().map(|place| place.z <= bed).collect();
+        frame.places = nodes.met.iter().map(Node::middle).collect();
+        frame.fixed = nodes.met.iter().map(|node| node.lowest <= bed).collect();
         let Frame { places, beams, .. } = &mut frame;
         beams.retain(|&Beam { from, to, .. }| {
             let [a, b] = [from, to].map(|node| node as usize);
@@ -213,20 +262,35 @@ impl<'a> Joining<'a> {
 struct Nodes {
     /// The node of each set of places.
     of: Vec<Option<u32>>,
-    /// Sum and number of the places of each.
-    sums: Vec<(DVec3, f64)>,
+    met: Vec<Node>,
+}
+
+/// The places of a node.
+#[derive(Default)]
+struct Node {
+    sum: DVec3,
+    count: f64,
+    /// Height of the lowest, mm: what lies on the bed is held.
+    lowest: f64,
+}
+
+impl Node {
+    fn middle(&self) -> DVec3 {
+        self.sum / self.count
+    }
 }
 
 impl Nodes {
     fn at(&mut self, set: u32, place: DVec3) -> u32 {
-        let count = self.sums.len() as u32;
+        let count = self.met.len() as u32;
         let node = *self.of[set as usize].get_or_insert(count);
         if node == count {
-            self.sums.push((DVec3::ZERO, 0.0));
+            self.met.push(Node { lowest: place.z, ..Node::default() });
         }
-        let (sum, number) = &mut self.sums[node as usize];
-        *sum += place;
-        *number += 1.0;
+        let own = &mut self.met[node as usize];
+        own.sum += place;
+        own.count += 1.0;
+        own.lowest = own.lowest.min(place.z);
         node
     }
 }
