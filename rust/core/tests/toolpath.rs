@@ -622,3 +622,40 @@ fn a_small_foot_under_a_tall_print_gets_a_brim() {
     assert_eq!(rings_of(20.0, 100.0), (5.0_f64 / 1.4).ceil() as u32);
     assert_eq!(rings_of(10.0, 300.0), 10);
 }
+
+#[test]
+fn figures_add_up_what_is_drawn_travelled_waited_and_fed() {
+    let lone = [
+        strand([0.0, 0.0, 0.35], [0.0, 0.0, 6.35], Kind::Post),
+        strand([0.0, 0.0, 6.35], [8.0, 0.0, 0.35], Kind::Diagonal),
+        strand([8.0, 0.0, 0.35], [8.0, 0.0, 6.35], Kind::Post),
+    ];
+    let path = toolpath(&lone, &PARAMS);
+    let found = path.figures();
+    assert!((found.strand - (6.0 + 10.0 + 6.0)).abs() < 1e-9);
+    // Down to the first strand from a millimetre over it, and up from the last one.
+    assert!((found.travel - 2.0).abs() < 1e-9, "{}", found.travel);
+    assert_eq!(found.pauses, 2);
+    assert!((found.pause - 2.0 * PARAMS.pause).abs() < 1e-12);
+    // Filled once, pulled back in the end: 0.16 mm a mm between.
+    assert!((found.filament - (5.0 + 22.0 * 0.16 - 4.0)).abs() < 1e-9, "{}", found.filament);
+    assert_eq!(toolpath(&[], &PARAMS).figures().travel, 0.0);
+}
+
+#[test]
+fn a_hop_of_a_millimetre_needs_no_retraction_and_a_longer_one_does() {
+    let pulls = |gap: f64, lower: f64, retract: f64, direct: bool| {
+        let first = strand([0.0, 0.0, 6.0], [9.0, 0.0, 6.0], Kind::Cap);
+        let z = 6.0 - lower;
+        let next = Strand { direct, ..strand([9.0 + gap, 0.0, z], [20.0, 0.0, z], Kind::Cap) };
+        let path = plan(&[first, next], &PathParams { retract, ..PARAMS });
+        let last = path.iter().rposition(|m| m.kind == Kind::Cap).unwrap();
+        path[..last].iter().any(|m| m.kind == Kind::Retract)
+    };
+    assert!(!pulls(1.0, 0.0, 4.0, false) && pulls(1.01, 0.0, 4.0, false));
+    // Between layers' lines as far as the settings say, whatever stands.
+    assert!(!pulls(2.0, 0.0, 4.0, true) && pulls(2.01, 0.0, 4.0, true));
+    assert!(!pulls(5.0, 0.0, 0.0, false));
+    // Up over what stands, and down again: 0.6 mm to a place 0.6 mm lower.
+    assert!(pulls(0.6, 0.9, 4.0, false) && !pulls(0.6, 0.6, 4.0, false));
+}

@@ -62,3 +62,6 @@ pub fn wanted(strand: &Strand, speed: f64, p: &PathParams) -> f64 {
     let feed = speed * p.feed_per_mm() * strand.flow;
     if by_firmware { 0.0 } else { p.pressure_lag * feed }
 }
+
+#[cfg(test)]
+mod tests;

@@ -51,13 +51,15 @@ fn what_lies_on_the_bed_is_not_wanted_above_it() {
     let tower = cuboid(DVec3::new(-5.0, -5.0, 0.0), DVec3::new(5.0, 5.0, 30.0));
     let tall = moved(&tower, DMat3::IDENTITY, DVec3::X * 60.0);
     // A wide face counts from a tenth of the first contour's height on, …
-    for (high, counts) in [(0.09 * first, false), (0.11 * first, true), (2.0, true)] {
+    for (high, counts) in
+        [(0.09 * first, false), (0.1 * first, false), (0.11 * first, true), (2.0, true)]
+    {
         let found = wanted(&together(&[plate(high), tall.clone()]));
         assert_eq!(found.iter().any(|w| (w.low - high).abs() < 1e-9 && w.wide), counts, "{high}");
     }
     // … and a narrow one above that contour only.
     let strip = |high: f64| cuboid(DVec3::new(-1.9, -20.0, 0.0), DVec3::new(1.9, 20.0, high));
-    for (high, counts) in [(0.9 * first, false), (2.0, true)] {
+    for (high, counts) in [(0.9 * first, false), (first, false), (2.0, true)] {
         let found = wanted(&together(&[strip(high), tall.clone()]));
         assert_eq!(found.iter().any(|w| (w.low - high).abs() < 1e-9), counts, "{high}");
     }

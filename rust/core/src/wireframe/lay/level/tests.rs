@@ -22,6 +22,7 @@ fn a_rim_lies_under_a_contour_that_is_nowhere_a_strand_off() {
     assert!(follows(&own, &rim(&square(20.0), 5.0), 0.7));
     assert!(follows(&own, &rim(&square(20.69), 5.0), 0.7));
     assert!(!follows(&own, &rim(&square(20.71), 5.0), 0.7));
+    assert!(!follows(&own, &rim(&square(20.5), 5.0), 0.5));
     let mut open = rim(&square(20.0), 5.0);
     open.closed = false;
     assert!(!follows(&own, &open, 0.7));
