@@ -195,7 +195,7 @@ class Inputs:
         return Case(
             "sequence",
             ["slice", "cube.stl", "-o", "out.gcode", "--load", path],
-            [path, "cube.stl"],
+            [path, "cube.stl", f"gcode.{key}"],
         )
 
     def project(self, draw: random.Random) -> Case:
