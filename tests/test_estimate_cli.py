@@ -5,7 +5,9 @@ import json
 import pytest
 from click.testing import CliRunner
 
+from wireprint import SettingError
 from wireprint.cli import main
+from wireprint.timing import Allowances
 
 
 def run(*arguments):
@@ -60,3 +62,12 @@ def test_klippers_golden_times_are_met(shared):
         found = json.loads(text)
         for key, figure in zip(("total_s", "moving_s", "dwell_s"), figures, strict=True):
             assert found[key] == pytest.approx(float(figure), rel=1e-5), (name, key)
+
+
+@pytest.mark.parametrize("option", ["homing", "nozzle-heating", "bed-heating", "tool-change"])
+@pytest.mark.parametrize("value", ["nan", "inf", "-1", "1e999"])
+def test_an_allowance_that_is_no_time_is_refused(files, option, value):
+    code, _ = run(files[0], f"--{option}-s", value)
+    assert code == 2
+    with pytest.raises(SettingError, match="finite"):
+        Allowances(**{f"{option.replace('-', '_')}_s": float(value)})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -46,6 +46,18 @@ class Allowances:
     bed_heating_s: float = 0.0
     #: For each change of tool, and of filament (M600).
     tool_change_s: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse what is no time.
+
+        Raises
+        ------
+        SettingError
+            Where one is negative or not finite.
+        """
+        for key, seconds in asdict(self).items():
+            if not (math.isfinite(seconds) and seconds >= 0):
+                raise SettingError(f"{key} is {seconds}; it must be finite and not negative")
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from wireprint import files
+from wireprint.cli.amounts import Amount
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
 from wireprint.cli.say import say, say_json
@@ -45,7 +46,7 @@ _SUFFIXES: Final = (".3mf", ".stl")
 @click.option(
     "--diameter",
     "diameter_mm",
-    type=click.FloatRange(min=0.01),
+    type=Amount(min=0.01),
     metavar="MM",
     help="Thickness of the tubes; default: the strand's.",
 )

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from wireprint.cli.amounts import Amount
 from wireprint.cli.paths import InputFile
 from wireprint.cli.say import say, say_json
 from wireprint.limits import FIRMWARES, Firmware
@@ -32,24 +33,22 @@ if TYPE_CHECKING:
 )
 @click.option("--limits", metavar="FILE.toml#TABLE", help="Limits in place of a printer's.")
 @click.option("--material", help="Profile of the filament; default: the file's own, else abs.")
-@click.option(
-    "--homing-s", type=click.FloatRange(min=0), default=0.0, help="Seconds allowed for each G28."
-)
+@click.option("--homing-s", type=Amount(min=0), default=0.0, help="Seconds allowed for each G28.")
 @click.option(
     "--nozzle-heating-s",
-    type=click.FloatRange(min=0),
+    type=Amount(min=0),
     default=0.0,
     help="Seconds allowed for each M109 that raises the temperature.",
 )
 @click.option(
     "--bed-heating-s",
-    type=click.FloatRange(min=0),
+    type=Amount(min=0),
     default=0.0,
     help="Seconds allowed for each M190 that raises the temperature.",
 )
 @click.option(
     "--tool-change-s",
-    type=click.FloatRange(min=0),
+    type=Amount(min=0),
     default=0.0,
     help="Seconds allowed for each change of tool or filament.",
 )

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from wireprint import files
+from wireprint.cli.amounts import Amount
 from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.say import say, say_json
@@ -37,7 +38,7 @@ _FRAMES: Final = (".csv", ".json")
     type=OutputName(),
     help="Frames for robots, too: position, tool axis, speed, extruder; .csv or .json.",
 )
-@click.option("--scale", type=click.FloatRange(min=0, min_open=True), default=1.0, help="Factor.")
+@click.option("--scale", type=Amount(min=0, min_open=True), default=1.0, help="Factor.")
 @settings_options
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 def order(

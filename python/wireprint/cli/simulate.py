@@ -9,6 +9,7 @@ import click
 from wireprint import files
 from wireprint._core import MemoryLimitError
 from wireprint.cli import completion
+from wireprint.cli.amounts import Amount
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.say import say_all, say_json
 from wireprint.forecast_scales import RULES as FIGURES
@@ -53,7 +54,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--grip",
-    type=click.FloatRange(0.1, 1000),
+    type=Amount(0.1, 1000),
     metavar="N",
     help="Press it between two fingers, newtons: how far it gives way and what it bears.",
 )

@@ -11,6 +11,7 @@ import click
 
 from wireprint import files
 from wireprint._core import WireprintError
+from wireprint.cli.amounts import Amount
 from wireprint.cli.budget import budget_from, budget_options, named_keys, table
 from wireprint.cli.failure import exit_code_of, say_failure
 from wireprint.cli.marks import marks_from, marks_options
@@ -64,7 +65,7 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--grip",
-    type=click.FloatRange(0.1, 1000),
+    type=Amount(0.1, 1000),
     metavar="N",
     help="Ask for a print that bears so many newtons between two fingers; with --forecast.",
 )

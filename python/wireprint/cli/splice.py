@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wireprint import files
+from wireprint.cli.amounts import Amount
 from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import placement_options
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
 @click.option(
     "--lift",
     "lift_mm",
-    type=click.FloatRange(min=0),
+    type=Amount(min=0),
     default=0.0,
     metavar="MM",
     help="Height of the layers that the model stands on; 0: the bed.",
