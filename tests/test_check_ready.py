@@ -207,19 +207,6 @@ def test_one_post_that_is_underfed_is_found(printer, share, factor):
 
 
 @some
-@given(printer=printers, share=shares, back=st.sampled_from([["G10"], ["G1 E-3 F1200"]]))
-def test_what_is_drawn_back_is_missing_until_it_is_pushed_forward_again(printer, share, back):
-    lines, posts = list(lines_of(printer)), strands_of(printer, "POST")
-    index = posts[int(share * (len(posts) - 1))]
-    forward = {"G10": "G11"}.get(back[0], "G1 E3")
-    modes = ["M207 S3", *back]
-    owing = judge([*lines[:index], *modes, *lines[index:]], printer)
-    paid = judge([*lines[:index], *modes, forward, *lines[index:]], printer)
-    assert index + len(modes) + 1 in [run.line for run in owing.underfed]
-    assert not paid.underfed
-
-
-@some
 @given(printer=printers, factor=st.floats(0.3, 1.2))
 def test_a_flow_that_is_adjusted_is_no_breach(printer, factor):
     lines = list(lines_of(printer))

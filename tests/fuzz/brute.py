@@ -39,7 +39,6 @@ class Judge:
         self.run = Machine(settings, rules).carry_out(lines)
         self.moves: list[Move] = self.run.moves
         self.strands: Strands = laid(self.moves, self.run.dwells)
-        self.melted = self.fed()
         self.verdict = Verdict()
 
     def judge(self) -> Verdict:
@@ -142,7 +141,7 @@ class Judge:
             long = self.strands.length[strand]
             length += long
             hanging += (1 - sum(b - a for a, b in held[strand])) * long
-            filament += self.melted[strand]
+            filament += self.moves[self.strands.move[strand]].filament
             top = max(top, *self.strands.ends[strand][:, 2])
             if length < self.strand_mm and strand != chain[-1]:
                 continue
@@ -153,22 +152,6 @@ class Judge:
                 self.verdict.add("underfed", self.line(first))
             running = low
             first, length, hanging, filament, top = strand + 1, 0.0, 0.0, 0.0, 0.0
-
-    def fed(self) -> list[float]:
-        """Filament of each strand, mm: first of all it makes up for what is still drawn back."""
-        found, missing, pressed, strands = [], 0.0, 0.0, set(self.strands.move)
-        for index, move in enumerate(self.moves):
-            if index in strands:
-                found.append(max(move.filament - missing, 0.0))
-                missing = max(missing - move.filament, 0.0)
-            elif move.filament > 0:
-                pressed = max(move.filament - missing, 0.0)
-                missing = max(missing - move.filament, 0.0)
-            elif found:
-                drawn = -move.filament
-                missing += max(drawn - pressed, 0.0)
-                pressed = max(pressed - drawn, 0.0)
-        return found
 
     def settled(self, strand: int) -> bool:
         """Whether the head dwells at a strand's end for long enough."""

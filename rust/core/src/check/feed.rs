@@ -2,7 +2,7 @@
 //!
 //! A free strand takes what fills a thread of the nozzle's diameter. Where it hangs it must be able
 //! to bear the nozzle's pull while it is hot, and where it lies it may be as thin as the thinnest
-//! lines that slicers write. What was retracted and never pushed forward again is missing.
+//! lines that slicers write.
 
 use std::f64::consts::PI;
 
@@ -58,7 +58,6 @@ pub(super) fn breaches(
     rules: &Rules,
 ) -> Vec<Underfed> {
     let per_mm = PI / 4.0 * rules.strand * rules.strand / rules.limits.filament_area;
-    let melted = melted(moves, deposit);
     let mut found = Vec::new();
     let mut first = 0;
     for chain in deposit.links.chunk_by(|a, b| a.chain == b.chain) {
@@ -70,7 +69,7 @@ pub(super) fn breaches(
             piece.length += length;
             piece.hanging += (1.0 - held) * length;
             piece.top = deposit.strands[strand].iter().map(|end| end.z).fold(piece.top, f64::max);
-            piece.filament += melted[strand];
+            piece.filament += moves[deposit.steps[strand] as usize].filament;
             let last = strand + 1 == first + chain.len();
             if piece.length < PIECE_DIAMETERS * rules.strand && !last {
                 continue;
@@ -80,28 +79,6 @@ pub(super) fn breaches(
         }
         found.extend(run);
         first += chain.len();
-    }
-    found
-}
-
-/// Filament that each strand gets, mm: what was drawn back since the first strand must be pushed
-/// forward before any comes out. The last push in place beyond that is pressure, which may be drawn
-/// back again, as pressure advance in a file's own words does.
-fn melted(moves: &[Step], deposit: &Deposit) -> Vec<f64> {
-    let mut strands = deposit.steps.iter().map(|index| *index as usize).peekable();
-    let mut found = Vec::with_capacity(deposit.steps.len());
-    // Less than nothing: pressure.
-    let mut owed = 0.0_f64;
-    for (index, step) in moves.iter().enumerate() {
-        if strands.next_if_eq(&index).is_some() {
-            let paid = owed.clamp(0.0, step.filament);
-            owed -= paid;
-            found.push(step.filament - paid);
-        } else if step.filament > 0.0 {
-            owed = owed.max(0.0) - step.filament;
-        } else if !found.is_empty() {
-            owed -= step.filament;
-        }
     }
     found
 }
