@@ -47,10 +47,10 @@ pub fn read_model(format: Format, bytes: &[u8]) {
 
 /// Hands a reader its bytes as they are unpacked, in pieces of `bytes[0] + 1`, and ends at the first
 /// that it refuses.
-pub fn feed<E>(bytes: &[u8], mut take: impl FnMut(&[u8]) -> Result<(), E>) -> Result<(), E> {
+pub fn feed<E>(bytes: &[u8], take: impl FnMut(&[u8]) -> Result<(), E>) -> Result<(), E> {
     let (length, document) = match bytes.split_first() {
         Some((&length, document)) => (usize::from(length) + 1, document),
         None => (1, bytes),
     };
-    document.chunks(length).try_for_each(|piece| take(piece))
+    document.chunks(length).try_for_each(take)
 }
