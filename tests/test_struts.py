@@ -16,6 +16,7 @@ import wireprint
 from struts_files import GRAPHS
 from wireprint import cli
 from wireprint.struts import READ, WRITTEN, Graph, beam_model, order, read_struts, struts_as
+from wireprint.struts.compas import read_json
 from wireprint.struts.frames import COLUMNS, as_csv, as_json
 
 #: A head that is slim enough for lattices: a long nozzle.
@@ -495,3 +496,36 @@ def test_indices_that_may_be_negative_or_broken_are_refused(kind, tmp_path):
     )
     with pytest.raises(wireprint.ModelError, match="damaged glTF"):
         read_struts(tmp_path / "a.glb")
+
+
+def choreo(unit="millimeter", **changes):
+    """A tripod in the form of Choreo's examples."""
+    places = [(0, 0, 0), (10, 0, 0), (5, 8, 0), (5, 4, 6)]
+    nodes = [
+        {"point": dict(zip("XYZ", place, strict=True)), "node_id": 7 + n, "is_grounded": n < 3}
+        for n, place in enumerate(places)
+    ]
+    legs = [{"end_node_ids": [7 + n, 10], "element_id": n, "layer_id": 0} for n in range(3)]
+    document = {"unit": unit, "node_list": nodes, "element_list": legs}
+    return json.dumps(document | changes).encode()
+
+
+@pytest.mark.parametrize(("unit", "mm"), [("millimeter", 1), ("centimeter", 10), ("meter", 1000)])
+def test_choreos_frames_are_read_in_their_unit(unit, mm):
+    graph = read_json(choreo(unit))
+    assert graph.edges.tolist() == [[0, 3], [1, 3], [2, 3]]
+    assert graph.nodes[3].tolist() == [5 * mm, 4 * mm, 6 * mm]
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"unit": "furlong"}, "its unit 'furlong' is none of"),
+        ({"node_list": [{}]}, "a node or an element of it is none"),
+        ({"element_list": [{"end_node_ids": [7, 99]}]}, "a node or an element of it is none"),
+        ({"node_list": 3}, "a node or an element of it is none"),
+    ],
+)
+def test_what_is_no_frame_of_choreos_is_told(changes, said):
+    with pytest.raises(wireprint.ModelError, match=said):
+        read_json(choreo(**changes))

@@ -1,4 +1,4 @@
-"""Struts as JSON: COMPAS' graphs and networks, and plain ``{"nodes": …, "edges": …}``."""
+"""Struts as JSON: COMPAS' graphs and networks, Choreo's, and plain ``{"nodes": …, "edges": …}``."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from wireprint._core import ModelError
+from wireprint.struts import choreo
 from wireprint.struts.graph import Graph
 
 if TYPE_CHECKING:
@@ -28,10 +29,15 @@ def read_json(text: bytes) -> Graph:
         raise ModelError(f"it is no JSON: {error}") from None
     if isinstance(document, dict) and {"nodes", "edges"} <= document.keys():
         return _plain(document)
+    if choreo.is_choreo(document):
+        return choreo.read(document)
     for data in _tables(document):
         if isinstance(data.get("node"), dict) and isinstance(data.get("edge"), dict):
             return _of_compas(data)
-    msg = 'it holds neither a graph of COMPAS ("node", "edge") nor "nodes" and "edges"'
+    msg = (
+        'it holds neither a graph of COMPAS ("node", "edge") nor one of Choreo ("node_list", '
+        '"element_list") nor "nodes" and "edges"'
+    )
     raise ModelError(msg)
 
 
