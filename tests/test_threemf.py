@@ -358,6 +358,13 @@ TWO_ITEMS = (
 )
 
 
+def test_plates_that_share_a_number_cannot_be_told_apart(tmp_path):
+    twice = {SETTINGS: PLATES[SETTINGS].replace('value="2"', 'value="1"')}
+    path = write_3mf(tmp_path / "plates.3mf", cube_object(10), TWO_ITEMS, parts=twice)
+    with pytest.raises(ModelError, match=r"plates\.3mf: 2 plates have the number 1; export"):
+        load_model(path)
+
+
 def test_one_plate_is_taken_and_the_others_are_named(tmp_path):
     path = write_3mf(tmp_path / "plates.3mf", cube_object(10), TWO_ITEMS, parts=PLATES)
     mesh = load_mesh(path)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
-from wireprint._core import read_slicer_config
+from wireprint._core import ModelError, read_slicer_config
 from wireprint.threemf import roles
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def read_config(archive: Archive) -> Config:
     Raises
     ------
     ModelError
-        A part is damaged.
+        A part is damaged, or plates share a number.
     """
     config = Config()
     plates: list[Plate] = []
@@ -91,4 +92,9 @@ def read_config(archive: Archive) -> Config:
                 elif component is not None:
                     config.parts[key, component] = role, volume
         plates += [Plate(number, label, tuple(places)) for number, label, places in found]
+    for number, count in Counter(plate.number for plate in plates).items():
+        if count > 1:
+            raise ModelError(
+                f"{count} plates have the number {number}; export the one that is meant by itself"
+            )
     return Config(config.ranges, config.parts, config.names, tuple(plates))
