@@ -250,3 +250,16 @@ def test_spheres_tell_the_pause_as_a_ladder_does(tmp_path):
     assert answers.pauses[1].pause_s < answers.pauses[0].pause_s
     found = fitted(settings, answers)
     assert 0.7 * short < found.pause_s < 1.2 * long
+
+
+def test_answers_that_contradict_each_other_tell_less():
+    settings = Settings.load("prusa-mk4s", "pla")
+    speed = settings.print_mm_s
+
+    def told(*pauses):
+        held = tuple(Held("ladder", speed, pause, 0.05) for pause in pauses)
+        return fitted(settings, Answers("2026-11-27", held, ()))
+
+    alike, unlike = told(1.2, 1.2), told(0.5, 1.9)
+    assert alike.misfit < 1 < 2.5 < unlike.misfit
+    assert unlike.pause_spread_s > 2.5 * alike.pause_spread_s

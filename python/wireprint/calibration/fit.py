@@ -89,13 +89,15 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
     spread = np.linalg.inv(unit + scaled.T @ scaled)
     deviation = np.sqrt(np.einsum("ij,jk,ik->i", slopes, spread, slopes))
     off = (np.array(measured) - values[rows]) * weights
+    misfit = math.sqrt(float(np.mean(off**2))) if len(off) else 0.0
+    # Answers that contradict each other tell less than each by itself (Birge's ratio, 1932).
+    deviation *= max(1.0, misfit)
     sags = [
         (length, max(float(value), _LEAST_MM), float(one))
         for (length, _), value, one in zip(
             told, values[-len(told) :], deviation[-len(told) :], strict=True
         )
     ]
-    misfit = math.sqrt(float(np.mean(off**2))) if len(off) else 0.0
     return Fitted(float(values[0]), float(deviation[0]), tuple(sags), misfit)
 
 
