@@ -164,6 +164,14 @@ def test_it_holds_for_what_it_was_measured_with_alone(tmp_path):
         ("date = 2026-11-27\n[[harp]]\nlength_mm = 20\nspeed_mm_s = 30\nsag_mm = nan", "sag_mm"),
         ("date = 2026-11-27\nladdder = 3", "laddder is no answer"),
         ("date = ", "answers.toml"),
+        (
+            "date = 2026-11-27\n[[harp]]\nlength_mm = 1.57\nspeed_mm_s = 30\nsag_mm = 0.02",
+            "in millimetres",
+        ),
+        (
+            "date = 2026-11-27\n[[harp]]\nlength_mm = 20\nspeed_mm_s = 30\nsag_mm = 35",
+            "from 0 to 10",
+        ),
         ("date = 2026-11-27\n[mast]\nweight_g = 2.3\nlength_mm = 30", "drop_mm"),
         ("date = 2026-11-27\n[mast]\nweight_g = 2.3\nlength_mm = 30\ndrop_mm = 29", "nearer"),
         ("date = 2026-11-27\n[[sphere]]\nspeed_mm_s = 30", "pause_s"),

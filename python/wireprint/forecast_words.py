@@ -100,7 +100,8 @@ def _sentence(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     things, verb = _WHAT[rule.name]
     limit = rule.limit or 0.0
     low, high = (_amount(bound, rule.unit) for bound in rule.bounds or (0.0, 0.0))
-    worst = f"{_amount(rule.worst, rule.unit)} ({low} to {high}) {where}"
+    between = f" ({low} to {high})" if low != high else ""
+    worst = f"{_amount(rule.worst, rule.unit)}{between} {where}"
     too_much = verb.format(f"more than {_amount(limit, rule.unit)}")
     if rule.verdict == "passes":
         return f"none of {rule.of} {things} would {too_much}: at most {worst}"

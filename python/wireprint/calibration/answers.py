@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import toml
 from wireprint._core import SettingError
 from wireprint.calibration import bending, sphere
-from wireprint.calibration.tents import RATIO, TENTS, pauses_s
+from wireprint.calibration.tents import LENGTHS_MM, RATIO, TENTS, pauses_s
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -24,6 +24,8 @@ RULER_MM: Final = 0.5
 _WEIGHT: Final = 0.02
 #: A pause between two that are evenly likely has this deviation, in shares of their distance.
 _EVENLY: Final = 1 / math.sqrt(12)
+#: A strand whose length is off by more of it is none of the harp.
+_OTHER: Final = 0.25
 #: A coin that drops by more of its length than this hangs from its strand rather than bends it.
 _HANGS: Final = 0.9
 _KEYS: Final = {"date", "ladder", "harp", "mast", "sphere"}
@@ -160,11 +162,15 @@ def _mast(path: Path, table: Any) -> Stiff:
 
 def _sag(path: Path, table: Any) -> Sag:
     of = "a strand of the harp"
-    return Sag(
-        _number(path, table, of, "length_mm", 1, 500),
-        _number(path, table, of, "speed_mm_s", 0.1, 500),
-        _number(path, table, of, "sag_mm", 0, 500),
-    )
+    length = _number(path, table, of, "length_mm", 1, 500)
+    if not any(abs(length - own) < _OTHER * own for own in LENGTHS_MM):
+        own = " ".join(f"{one:g}" for one in LENGTHS_MM)
+        raise SettingError(
+            f"{path}: length_mm of {of} is {length:g}, and a harp has strands of {own} mm: which "
+            "of them was it, in millimetres?"
+        )
+    speed = _number(path, table, of, "speed_mm_s", 0.1, 500)
+    return Sag(length, speed, _number(path, table, of, "sag_mm", 0, length / 2))
 
 
 def _number(path: Path, table: Any, of: str, name: str, low: float, high: float) -> float:
