@@ -2,14 +2,16 @@
 
 import json
 
+import numpy as np
 import pytest
 
 import wireprint
 from command import run
 from wireprint import KINDS, Settings, pipeline, stages
+from wireprint.cascade import falling
 from wireprint.certificate import check
 from wireprint.gcode import document
-from wireprint.mending import mended
+from wireprint.mending import _blamed, mended
 from wireprint.pipeline import make
 from wireprint.regions import Region, ZRange
 
@@ -72,6 +74,29 @@ def test_what_hangs_on_what_is_left_out_goes_with_it(cube):
     assert check(written(left, settings), settings).ok
     assert left.strand_count < broken.strand_count
     assert left.post_count < broken.post_count
+
+
+def test_what_falls_is_told_from_the_strands_around_as_from_the_whole_print(cube):
+    settings = Settings.load()
+    strands = stages.wireframe(wireprint.load_mesh(cube, scale=3), settings)
+    posts = np.flatnonzero(strands.strand_kinds == KINDS.index("post"))
+    dropped = posts[len(posts) // 2 :][:1].tolist()
+    centre = stages.origin_mm(settings, (0.0, 0.0, 0.0))
+
+    def to_blame(piece):
+        return _blamed(piece, check(written(piece, settings), settings), centre)
+
+    whole = dropped
+    while True:
+        left = strands.beyond(whole)
+        numbers = np.setdiff1d(np.arange(strands.strand_count), whole)
+        fresh = numbers[to_blame(left)].tolist()
+        if not fresh:
+            break
+        whole = sorted({*whole, *fresh})
+    alone, rounds = falling(strands, dropped, settings.strand_mm, to_blame, 100)
+    assert alone == whole
+    assert rounds > 0
 
 
 def test_a_print_that_leaves_the_bed_is_not_mended(cube):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from wireprint.cascade import falling
 from wireprint.certificate import check
 from wireprint.gcode import document
 from wireprint.stages import origin_mm, toolpath
@@ -73,20 +74,33 @@ def mended(
         where none was found in so many rounds, it breaks them throughout, or other rules are
         broken, too.
     """
-    for number in range(rounds):
+    origin, strand_mm = origin_mm(settings, at_mm), settings.strand_mm
+
+    def judged(left: Wireframe) -> Certificate:
+        path = toolpath(left, settings, standing, at_mm)
+        text = document.body(path, settings, document.dated(None))
+        return check(text, settings, standing=standing)
+
+    def to_blame(piece: Wireframe) -> list[int]:
+        # G-code without a strand is nothing to judge.
+        return _blamed(piece, judged(piece), origin) if piece.strand_count else []
+
+    number = 0
+    while number < rounds:
         if any(found for name, found in certificate.breaches().items() if name not in _MENDED):
             return None
-        dropped = _blamed(strands, certificate, origin_mm(settings, at_mm))
+        dropped = _blamed(strands, certificate, origin)
         throughout = number == 0 and len(dropped) > _MOST * strands.strand_count
         if throughout or not 0 < len(dropped) < strands.strand_count:
             return None
+        number += 1
+        dropped, fell = falling(strands, dropped, strand_mm, to_blame, rounds - number)
+        number += fell
         most_mm -= _length_mm(strands.strands[dropped])
-        if most_mm < 0:
+        if most_mm < 0 or len(dropped) == strands.strand_count:
             return None
-        strands = strands.without(dropped, settings.strand_mm)
-        path = toolpath(strands, settings, standing, at_mm)
-        text = document.body(path, settings, document.dated(None))
-        certificate = check(text, settings, standing=standing)
+        strands = strands.without(dropped, strand_mm)
+        certificate = judged(strands)
         if certificate.ok:
             return strands
     return None

@@ -1,0 +1,121 @@
+"""What falls with strands that are left out of a print, told from the strands around them.
+
+To judge a whole print again for each strand that hung on the last one takes long. A piece of it
+is judged in its place, once as it was and once without what is left out: only what is to blame in
+the second alone falls, for at the piece's edges much seems to hang in the air.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy.typing as npt
+
+    from wireprint._core import Wireframe
+
+    Floats = npt.NDArray[np.float64]
+    Ints = npt.NDArray[np.int64]
+
+#: A piece reaches so many strands' diameters beyond what is left out, …
+_REACH: Final = 16.0
+#: … and serves as long as nothing falls that is farther than this part of it away.
+_INNER: Final = 0.5
+#: A piece that holds more than this part of the strands is no quicker to judge than the print.
+_MOST: Final = 0.5
+
+
+def falling(
+    strands: Wireframe,
+    dropped: list[int],
+    strand_mm: float,
+    judge: Callable[[Wireframe], list[int]],
+    rounds: int,
+) -> tuple[list[int], int]:
+    """Find what hangs on strands that are left out, what hangs on that, and so on.
+
+    Parameters
+    ----------
+    strands
+        The print.
+    dropped
+        Numbers of strands that are left out.
+    strand_mm
+        Diameter of a strand, mm.
+    judge
+        Tells the numbers of the strands of a print that are to blame for breaches.
+    rounds
+        Most times that something may be found to fall.
+
+    Returns
+    -------
+    tuple
+        Numbers of all that is left out, ascending, and how many rounds found something.
+    """
+    piece: _Piece | None = None
+    for number in range(rounds):
+        if piece is None:
+            piece = _Piece.around(strands, dropped, _REACH * strand_mm, judge)
+        if piece is None:
+            return dropped, number
+        fresh = piece.fallen(dropped, judge)
+        if not len(fresh):
+            return dropped, number
+        dropped = sorted({*dropped, *fresh.tolist()})
+        if not piece.holds(fresh):
+            piece = None
+    return dropped, rounds
+
+
+class _Piece:
+    """Some of a print's strands."""
+
+    def __init__(self, strands: Wireframe, numbers: Ints, inner: Ints) -> None:
+        #: Their numbers in the print, and those that are well within the piece, ascending.
+        self.numbers, self.inner = numbers, inner
+        others = np.setdiff1d(np.arange(strands.strand_count), numbers)
+        self.strands = strands.beyond(others.tolist())
+        #: What seems to fall of it as it is.
+        self.seeming: list[int] = []
+
+    @classmethod
+    def around(
+        cls,
+        strands: Wireframe,
+        dropped: list[int],
+        reach_mm: float,
+        judge: Callable[[Wireframe], list[int]],
+    ) -> _Piece | None:
+        """Take what is near to some strands; None where that is much of the print."""
+        ends = strands.strands
+        numbers = _near(ends, dropped, reach_mm)
+        if len(numbers) > _MOST * len(ends):
+            return None
+        piece = cls(strands, numbers, _near(ends, dropped, _INNER * reach_mm))
+        piece.seeming = judge(piece.strands)
+        return piece
+
+    def fallen(self, dropped: list[int], judge: Callable[[Wireframe], list[int]]) -> Ints:
+        """Return the numbers in the print of what falls with what is left out of it."""
+        gone = np.isin(self.numbers, dropped)
+        left = self.strands.beyond(np.flatnonzero(gone).tolist())
+        found = self.numbers[~gone][judge(left)]
+        return np.setdiff1d(found, self.numbers[self.seeming])
+
+    def holds(self, numbers: Ints) -> bool:
+        """Tell whether strands are well within the piece."""
+        return bool(np.isin(numbers, self.inner).all())
+
+
+def _near(ends: Floats, dropped: list[int], reach_mm: float) -> Ints:
+    """Return the strands whose boxes come within a distance of those of others, ascending."""
+    low, high = ends.min(axis=1), ends.max(axis=1)
+    near = np.zeros(len(ends), np.bool_)
+    for number in dropped:
+        above = (high >= low[number] - reach_mm).all(axis=1)
+        near |= above & (low <= high[number] + reach_mm).all(axis=1)
+    return np.flatnonzero(near)
