@@ -24,6 +24,7 @@ PLAIN = {
     "mechanics",
     "order",
     "params",
+    "path",
     "plan",
     "plane",
     "pressure",
