@@ -2,12 +2,15 @@
 
 mod chains;
 mod contour;
+mod difference;
+mod grid;
 mod nesting;
 mod ring;
 mod sweep;
 mod union;
 
 pub use contour::Contour;
+pub use difference::{Difference, Region, difference};
 pub use nesting::contours;
 pub use union::union;
 

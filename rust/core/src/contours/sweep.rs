@@ -11,8 +11,8 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::chains::{Chain, Chains, Key};
+use super::grid::UNITS_PER_MM;
 use super::ring::Ring;
-use super::union::UNITS_PER_MM;
 use crate::geometry::polygon::turn;
 
 const NONE: u32 = u32::MAX;

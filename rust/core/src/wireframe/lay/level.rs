@@ -169,11 +169,17 @@ fn rise(
     Some(follow(cx, journal, curve, &standing, lifted, Kind::Contour))
 }
 
-/// Whether a printed rim lies under the whole contour.
+/// Whether a printed rim is the contour: it lies under all of it, and nowhere else. A rim around more
+/// bounds the face that ends beside the contour.
 fn follows(curve: &Curve, rim: &Rim, strand: f64) -> bool {
-    let rims = [rim];
-    let footing = Footing::new(&rims);
-    places(curve, strand).all(|place| footing.nearest(place).is_some_and(|f| f.distance < strand))
+    let covers = |over: &Curve, under: &Rim| {
+        let rims = [under];
+        let footing = Footing::new(&rims);
+        places(over, strand).all(|p| footing.nearest(p).is_some_and(|f| f.distance < strand))
+    };
+    let plan: Vec<DVec2> = rim.points.iter().map(|p| p.truncate()).collect();
+    covers(curve, rim)
+        && Curve::new(&plan, rim.closed).is_some_and(|rim| covers(&rim, &closed_rim(curve, 0.0)))
 }
 
 #[cfg(test)]

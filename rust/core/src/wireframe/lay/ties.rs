@@ -149,12 +149,13 @@ pub fn is_loose(
     gaps(curve, &standing.posts).any(|(_, gap)| gap > limit)
 }
 
-/// Contours with wider gaps between their posts are tied, mm.
+/// Contours with wider gaps between their posts are tied, mm: those that span too much in any case.
 fn loose_gap(cx: &Context, top: &Top, is_woven: bool) -> f64 {
     let height = top.z - cx.sliced.levels[top.slab].z;
     // By turns, each of two woven walls has a post every other run.
     let runs = if is_woven { 2.0 * LOOSE } else { LOOSE };
-    cx.p.free_end_limit.max(runs * Strokes::new(cx.head, cx.p.strand).run(height))
+    let usual = runs * Strokes::new(cx.head, cx.p.strand).run(height);
+    cx.p.free_end_limit.max(usual).min(cx.p.span_limit)
 }
 
 /// Over which gaps a loose contour is tied: where the plain print does without, only beside

@@ -1,6 +1,7 @@
 //! What there is to print: levels, contours, strips.
 
 pub mod columns;
+pub mod ledges;
 pub mod section;
 pub mod sheets;
 pub mod sliced;

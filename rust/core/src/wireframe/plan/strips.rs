@@ -274,10 +274,15 @@ impl<'a> SlabSurface<'a> {
             .filter(|piece| piece.touches() || !piece.leaves)
             .map(|piece| piece.strip)
             .collect();
-        let first = |list: &[u32]| list.first().copied().unwrap_or(u32::MAX);
-        strips.sort_by_key(|strip| (first(&strip.lower), first(&strip.upper)));
+        strips.sort_by_key(by_first);
         strips
     }
+}
+
+/// The order of strips: by their first lower contours, then the first upper ones.
+pub(super) fn by_first(strip: &Strip) -> (u32, u32) {
+    let first = |list: &[u32]| list.first().copied().unwrap_or(u32::MAX);
+    (first(&strip.lower), first(&strip.upper))
 }
 
 /// Adds what lies on the bed without a contour of its own, since the sides of other bodies cover its

@@ -1,0 +1,64 @@
+//! Ledges of a solid, from its slices alone.
+//!
+//! Which faces join which contours says little where bodies overlap: the sides of one bury those of
+//! another, and of sides that coincide one is taken. But what all of them enclose is known from the
+//! slices, and so are the level faces: the regions that one of two slices has and the other lacks.
+
+use rayon::prelude::*;
+
+use crate::contours::{Contour, Difference, Region, difference};
+use crate::geometry::disjoint_sets::UnionFind;
+use crate::mesh::{Mesh, NO_FACE};
+use crate::wireframe::plan::strips::{Slab, Strip, all_ledges, by_first};
+
+/// The ledges of each slab, all at once.
+#[must_use]
+pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
+    let is_solid = mesh.neighbours.par_iter().all(|sides| !sides.contains(&NO_FACE));
+    match is_solid {
+        true => slabs.par_iter().map(|slab| ledges_between(slab.lower, slab.upper)).collect(),
+        // What an open surface has between two slices, only its faces tell.
+        false => all_ledges(mesh, slabs),
+    }
+}
+
+/// The ledges between two slices of a solid: what of their contours hangs together by level faces, or
+/// by walls that both have.
+#[must_use]
+pub fn ledges_between(below: &[Contour], above: &[Contour]) -> Vec<Strip> {
+    let Difference { regions, walls } = difference(below, above);
+    let count = below.len() + above.len();
+    let upper = |i: u32| below.len() as u32 + i;
+    let mut sets = UnionFind::new(count);
+    for [lower, above] in walls {
+        sets.join_alone(lower, upper(above));
+    }
+    let around = |region: &Region| -> Vec<u32> {
+        let above = region.upper.iter().map(|&i| upper(i));
+        region.lower.iter().copied().chain(above).collect()
+    };
+    for region in &regions {
+        around(region).windows(2).for_each(|pair| sets.join_alone(pair[0], pair[1]));
+    }
+    let mut strips = vec![Strip::default(); count];
+    for i in 0..count as u32 {
+        let strip = &mut strips[sets.find(i) as usize];
+        match i.checked_sub(below.len() as u32) {
+            None => strip.lower.push(i),
+            Some(above) => strip.upper.push(above),
+        }
+    }
+    for region in &regions {
+        if let Some(&first) = around(region).first() {
+            let strip = &mut strips[sets.find(first) as usize];
+            strip.area += region.plan.abs();
+            strip.plan += region.plan;
+        }
+    }
+    strips.retain(|strip| !(strip.lower.is_empty() && strip.upper.is_empty()));
+    strips.sort_by_key(by_first);
+    strips
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,57 @@
+//! What hangs together between two slices, where bodies lie in and on one another.
+
+use glam::DVec3;
+
+use super::*;
+use crate::contours::sliced;
+use crate::slices::{Plane, Side};
+use crate::solids::{cuboid, together};
+
+/// A box from `low` to `high` along each side of its base, from one height to another, mm.
+fn block(low: f64, high: f64, heights: [f64; 2]) -> Mesh {
+    cuboid(DVec3::new(low, low, heights[0]), DVec3::new(high, high, heights[1]))
+}
+
+/// The ledges of a mesh at a height, mm.
+fn ledges_at(mesh: &Mesh, z: f64) -> Vec<Strip> {
+    let planes = [Side::Below, Side::Above].map(|side| Plane { z, side });
+    let slices = sliced(mesh, &planes, 0.0);
+    let slab = Slab { z_lower: z, lower: &slices[0], z_upper: z, upper: &slices[1] };
+    ledges_of(mesh, &[slab]).remove(0)
+}
+
+fn strip(lower: &[u32], upper: &[u32], plan: f64) -> Strip {
+    let (lower, upper) = (lower.to_vec(), upper.to_vec());
+    Strip { lower, upper, area: plan.abs(), plan, roofed: false }
+}
+
+#[test]
+fn a_body_on_another_one_stands_on_its_ledge() {
+    let mesh = together(&[block(0.0, 30.0, [0.0, 4.0]), block(10.0, 20.0, [4.0, 9.0])]);
+    assert_eq!(ledges_at(&mesh, 4.0), [strip(&[0], &[0], 800.0)]);
+    assert_eq!(ledges_at(&mesh, 9.0), [strip(&[0], &[], 100.0)]);
+    assert_eq!(ledges_at(&mesh, 0.0), [strip(&[], &[0], -900.0)]);
+}
+
+#[test]
+fn sides_that_coincide_are_one_wall() {
+    // Two bodies that share a side: the lower one's top ends at the higher one's wall.
+    let side = cuboid(DVec3::ZERO, DVec3::new(10.0, 30.0, 9.0));
+    let mesh = together(&[block(0.0, 30.0, [0.0, 4.0]), side]);
+    assert_eq!(ledges_at(&mesh, 4.0), [strip(&[0], &[0], 600.0)]);
+    // One within the other, flush below: no floor of its own.
+    let mesh = together(&[block(0.0, 30.0, [0.0, 9.0]), block(5.0, 30.0, [0.0, 4.0])]);
+    assert_eq!(ledges_at(&mesh, 0.0), [strip(&[], &[0], -900.0)]);
+    assert_eq!(ledges_at(&mesh, 4.0), [strip(&[0], &[0], 0.0)]);
+}
+
+#[test]
+fn an_open_surface_goes_by_its_faces() {
+    // A box without its lid, whose wall ends where a plate beside it goes on.
+    let two = together(&[block(0.0, 30.0, [0.0, 4.0]), block(40.0, 50.0, [0.0, 9.0])]);
+    assert_eq!(ledges_at(&two, 4.0), [strip(&[0], &[], 900.0), strip(&[1], &[0], 0.0)]);
+    let is_lid = |face: usize| two.corners(face).iter().all(|c| c.z == 4.0);
+    let faces = (0..two.faces.len()).filter(|&face| !is_lid(face)).map(|face| two.faces[face]);
+    let open = ledges_at(&Mesh::new(two.vertices.clone(), faces.collect()), 4.0);
+    assert_eq!(open.iter().map(|strip| strip.plan).collect::<Vec<_>>(), [0.0, 0.0]);
+}
