@@ -69,6 +69,26 @@ def rimmed():
     return Part(0, "rimmed", (Body().add(rectangle(86, 66), 0, 1.2), rim), 0, 0.0)
 
 
+def sleeved():
+    """A tube in another one, with the same outside: each has its own floor, and they share a wall."""
+    outer, inner = Body().add(disc(90), 0, 40), Body().add(disc(90), 0, 22)
+    return Part(0, "sleeved", (outer.cut(disc(76), 0, 40), inner.cut(disc(80), 0, 22)), 1, 20.0)
+
+
+def flush():
+    """Walls that stand on a plate, flush with its sides, around a ring and a rod."""
+    plate, rod = Body().add(disc(100), 0, 8), Body().add(disc(9), 0, 60)
+    rim = Body().add(disc(100), 0, 30).cut(disc(80), 0, 30)
+    ring = Body().add(disc(52), 0, 26).cut(disc(32), 0, 26)
+    return Part(0, "flush", (plate, rim, ring, rod), 0, 0.0)
+
+
+def touching():
+    """Two cylinders of different heights that overlap by a hair."""
+    tall = random_solids.at(lathed((0.0, 0.0), (10.0, 0.0), (10.0, 20.0), (0.0, 20.0)), x=24.9)
+    return Solid(0, "touching", (lathed((0.0, 0.0), (15.0, 0.0), (15.0, 16.0), (0.0, 16.0)), tall))
+
+
 def leaning():
     """A thin plate that leans back on a foot, and a stop before it, as of a stand."""
     foot, stop = block(70, 80, 4), random_solids.at(block(70, 6, 12), y=-25.0, z=2.0)
@@ -85,6 +105,9 @@ def hooked():
 
 NAMED = {
     "rimmed": rimmed(),
+    "sleeved": sleeved(),
+    "flush": flush(),
+    "touching": touching(),
     "leaning": leaning(),
     "hooked": hooked(),
     "lidded": lidded(),

@@ -179,7 +179,8 @@ fn follows(curve: &Curve, rim: &Rim, strand: f64) -> bool {
     };
     let plan: Vec<DVec2> = rim.points.iter().map(|p| p.truncate()).collect();
     covers(curve, rim)
-        && Curve::new(&plan, rim.closed).is_some_and(|rim| covers(&rim, &closed_rim(curve, 0.0)))
+        && Curve::new(&plan, rim.closed)
+            .is_some_and(|rim| covers(&rim, &closed_rim(curve, 0.0, strand)))
 }
 
 #[cfg(test)]
