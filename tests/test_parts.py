@@ -70,7 +70,7 @@ def rimmed():
 
 
 def sleeved():
-    """A tube in another one, with the same outside: each has its own floor, and they share a wall."""
+    """A tube in another one with the same outside: they share a wall, each has its own floor."""
     outer, inner = Body().add(disc(90), 0, 40), Body().add(disc(90), 0, 22)
     return Part(0, "sleeved", (outer.cut(disc(76), 0, 40), inner.cut(disc(80), 0, 22)), 1, 20.0)
 
