@@ -29,6 +29,9 @@ _WAY_OUT: Final = "export it as STL or 3MF"
 _STOPPED: Final = (-24, -9)
 #: What each suffix is called by the kernel.
 KINDS: Final = {"step": "step", "stp": "step", "iges": "iges", "igs": "iges"}
+#: Metres, glTF's unit, that a length of the kernel's scene stands for: its IGES reader names no
+#: unit to its glTF writer, which then leaves millimetres as they are.
+_METRES: Final = {"step": 1.0, "iges": 1e-3}
 #: How far facets may lie from the surface, mm: less than any strand is thick by a tenth; and how
 #: far neighbours may be turned, radians (Open CASCADE's own default is half).
 DEFLECTION_MM: Final = 0.02
@@ -93,7 +96,7 @@ def cad_mesh(path: Path, suffix: str, **placement: Any) -> Mesh:
         count = 0
         for found in gltf.primitives(scene, _MOST_CORNERS):
             if found.mode == gltf.TRIANGLES:
-                vertices.append(found.places)
+                vertices.append(found.places * _METRES[KINDS[suffix]])
                 faces.append(found.order.reshape(-1, 3).astype(np.uint32) + np.uint32(count))
                 count += len(found.places)
         if not faces:
