@@ -50,8 +50,8 @@ MACHINES = [("kossel-mini", "abs"), ("prusa-mk4s", "pla"), ("printrbot-simple", 
 LARGEST_MM = 60
 #: A travel more or less is rounding in prints of a few seconds.
 HOP_S = 1.2
-#: So many diagonals more or less are rounding: a chain's last gap holds a post or none.
-ROUNDING = 1.5
+#: So many diagonals more or less are rounding: those of one ring that is too small for its slab.
+ROUNDING = 3
 
 
 @pytest.fixture(scope="module")

@@ -6,8 +6,9 @@ use crate::wireframe::lay::contour::is_support;
 use crate::wireframe::lay::ground::{Ground, Standing};
 use crate::wireframe::lay::job::Job;
 use crate::wireframe::lay::journal::Journal;
+use crate::wireframe::lay::lacing::Lacing;
 use crate::wireframe::lay::tops::Top;
-use crate::wireframe::lay::weave::{Wall, reach, rim_of, standing, weave_up};
+use crate::wireframe::lay::weave::{Wall, Woven, reach, rim_of, standing, weave_up};
 use crate::wireframe::place::fold::{sides, tips};
 
 /// More than rounding adds to a square of a distance, as a part of it.
@@ -21,7 +22,7 @@ pub fn folded(
     top: &Top,
     job: &Job,
     ground: &Ground,
-) -> Option<Standing> {
+) -> Option<(Standing, Lacing)> {
     let reach = reach(cx, top)?;
     let curve = top.curves[job.curve].as_ref().filter(|_| !is_support(cx, top, job.curve))?;
     let rim = rim_of(job, ground)?;
@@ -37,10 +38,11 @@ pub fn folded(
     let begin = from.map_or(near, |from| curve.nearest(from.truncate()).s);
     let [one, other] = sides(curve, [begin, far], reach)?;
     let walls = [&one, &other].map(|curve| Wall { curve, rim, begin: 0.0 });
-    let posts = weave_up(cx, journal, top.z, &walls, from)?.concat();
-    let standing = standing(top, job.curve, curve.position(begin), posts);
+    let Woven { posts, peaks } = weave_up(cx, journal, top.z, &walls, from)?;
+    let standing = standing(top, job.curve, curve.position(begin), posts.concat());
     journal.note_posts(top.slab as u32, top.contour(job.curve) as u32, &standing.posts);
-    (!standing.posts.is_empty()).then_some(standing)
+    let lacing = Lacing { curves: vec![job.curve], peaks };
+    (!standing.posts.is_empty()).then_some((standing, lacing))
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ pub mod ground;
 pub mod hang;
 pub mod job;
 pub mod journal;
+pub mod lacing;
 pub mod layers;
 pub mod level;
 pub mod needs;

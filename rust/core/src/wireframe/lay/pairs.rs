@@ -7,12 +7,17 @@ use crate::wireframe::lay::contour::is_support;
 use crate::wireframe::lay::ground::{Ground, Standing};
 use crate::wireframe::lay::job::Job;
 use crate::wireframe::lay::journal::Journal;
+use crate::wireframe::lay::lacing::Lacing;
 use crate::wireframe::lay::tops::Top;
-use crate::wireframe::lay::weave::{Wall, reach, rim_of, standing, weave_up};
+use crate::wireframe::lay::weave::{Wall, Woven, reach, rim_of, standing, weave_up};
 use crate::wireframe::place::fold::share_near;
 
 /// Two contours are one double wall where this share of each is near the other.
 const SHARE: f64 = 0.5;
+
+/// The number of a contour's curve, and its posts, if it has some.
+pub type Side = (usize, Option<Standing>);
+
 /// For each job, the one with which it makes a double wall.
 pub fn pairs(cx: &Context, top: &Top, jobs: &[Job], ground: &Ground) -> Vec<Option<usize>> {
     let mut partner = vec![None; jobs.len()];
@@ -42,15 +47,15 @@ pub fn pairs(cx: &Context, top: &Top, jobs: &[Job], ground: &Ground) -> Vec<Opti
     partner
 }
 
-/// Weaves a double wall; gives the posts of each contour, or that there are none. None where no weave
-/// is to be had.
+/// Weaves a double wall; gives the posts of each contour, or that there are none, and how it is laced.
+/// None where no weave is to be had.
 pub fn woven(
     cx: &Context,
     journal: &mut Journal,
     top: &Top,
     jobs: [&Job; 2],
     ground: &Ground,
-) -> Option<[(usize, Option<Standing>); 2]> {
+) -> Option<([Side; 2], Lacing)> {
     let rims = [rim_of(jobs[0], ground)?, rim_of(jobs[1], ground)?];
     // The weave begins where the head is: on the wall that the last strand ended on.
     let from = [0, 1].map(|i| going_on(journal, &rims[i..=i]));
@@ -65,14 +70,15 @@ pub fn woven(
         Wall { curve: first, rim: rims[one], begin },
         Wall { curve: second, rim: rims[other], begin: beside },
     ];
-    let posts = weave_up(cx, journal, top.z, &walls, from[one])?;
+    let Woven { posts, peaks } = weave_up(cx, journal, top.z, &walls, from[one])?;
     let mut found = posts.into_iter().zip([one, other]).zip(&walls).map(|((posts, i), wall)| {
         let number = jobs[i].curve;
         let standing = standing(top, number, wall.curve.position(wall.begin), posts);
         journal.note_posts(top.slab as u32, top.contour(number) as u32, &standing.posts);
         (number, (!standing.posts.is_empty()).then_some(standing))
     });
-    Some([found.next()?, found.next()?])
+    let lacing = Lacing { curves: jobs.iter().map(|job| job.curve).collect(), peaks };
+    Some(([found.next()?, found.next()?], lacing))
 }
 
 #[cfg(test)]

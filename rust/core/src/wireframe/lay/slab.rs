@@ -18,6 +18,7 @@ use crate::wireframe::lay::ground::{Ground, Standing};
 use crate::wireframe::lay::hang::{Hanging, hang, want_columns};
 use crate::wireframe::lay::job::{Job, plans};
 use crate::wireframe::lay::journal::Journal;
+use crate::wireframe::lay::lacing::lace;
 use crate::wireframe::lay::layers::{join_pieces, print_layers};
 use crate::wireframe::lay::order::Order;
 use crate::wireframe::lay::pairs::{pairs, woven};
@@ -58,7 +59,7 @@ pub fn slab_in(
     let pairs = pairs(cx, top, jobs, ground);
     let mut coils = Coils::new(cx, journal, top, jobs, ground, &pairs);
     let mut done = vec![false; jobs.len()];
-    let mut turns = 0;
+    let (mut unlaced, mut turns) = (Vec::new(), 0);
     loop {
         let next = match &mut ranks {
             Some(ranks) => ranks.next().inspect(|&next| order.take(next)),
@@ -84,24 +85,25 @@ pub fn slab_in(
         }
         let other = pairs[next].filter(|&other| !done[other]);
         let both = other.and_then(|other| {
-            let found = woven(cx, journal, top, [&jobs[next], &jobs[other]], ground)?;
+            let (found, lacing) = woven(cx, journal, top, [&jobs[next], &jobs[other]], ground)?;
             order.take(other);
             done[other] = true;
-            Some(found.map(|(curve, standing)| {
+            let found = found.map(|(curve, standing)| {
                 let job = if jobs[next].curve == curve { next } else { other };
                 (&jobs[job], standing)
-            }))
+            });
+            Some((Vec::from(found), lacing))
         });
         let thin = match (&both, pairs[next]) {
             (None, None) => folded(cx, journal, top, &jobs[next], ground),
             _ => None,
         };
-        let is_woven = both.is_some() || thin.is_some();
-        let stand = match (both, thin) {
-            (Some(both), _) => Vec::from(both),
-            (None, Some(thin)) => vec![(&jobs[next], Some(thin))],
-            (None, None) => vec![(&jobs[next], posts_of(cx, journal, top, &jobs[next], ground))],
+        let thin = thin.map(|(standing, lacing)| (vec![(&jobs[next], Some(standing))], lacing));
+        let (stand, wall) = match both.or(thin) {
+            Some((stand, lacing)) => (stand, Some(lacing)),
+            None => (vec![(&jobs[next], posts_of(cx, journal, top, &jobs[next], ground))], None),
         };
+        let is_woven = wall.is_some();
         // The ring on which the head is comes first.
         for (job, standing) in stand.into_iter().rev() {
             let Some(curve) = &top.curves[job.curve] else { continue };
@@ -118,12 +120,14 @@ pub fn slab_in(
                 printed.rims[job.curve] = Some(ring(cx, journal, top, &standing));
             }
         }
+        unlaced.extend(lace(cx, journal, top, wall.into_iter().collect(), &printed));
     }
     if let Some(layers) = layers {
         print_layers(cx, journal, top, layers, &mut printed);
     }
     rings(cx, journal, top, &waiting, &mut printed);
     hang_rest(cx, journal, top, loose, &bare, &mut printed);
+    lace(cx, journal, top, unlaced, &printed);
     join_pieces(cx, top, &mut printed);
     Printed { ground: printed, turns }
 }

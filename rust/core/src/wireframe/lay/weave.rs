@@ -35,6 +35,14 @@ pub struct Wall<'a> {
     pub begin: f64,
 }
 
+/// What a weave leaves at its top.
+pub struct Woven {
+    /// The posts of each wall.
+    pub posts: [Vec<Post>; 2],
+    /// The peaks in order, from wall to wall, mm.
+    pub peaks: Vec<DVec3>,
+}
+
 /// Walls of a slab that are nearer to each other than this are woven, mm; none where nothing is: the
 /// paper's patterns are not, nor what goes by a plain print.
 pub fn reach(cx: &Context, top: &Top) -> Option<f64> {
@@ -59,7 +67,7 @@ pub fn weave_up(
     z: f64,
     walls: &[Wall; 2],
     from: Option<DVec3>,
-) -> Option<[Vec<Post>; 2]> {
+) -> Option<Woven> {
     let lowest = walls.iter().flat_map(|wall| &wall.rim.points).map(|p| p.z).fold(z, f64::min);
     let strokes = Strokes::new(cx.head, cx.p.strand);
     let run = strokes.run(z - lowest) * SLACK * SPARE;
@@ -83,10 +91,13 @@ pub fn weave_up(
     let steps: Vec<ZigzagStep> =
         way.iter().map(|&i| ZigzagStep { post: places[i].candidate.post, linked: true }).collect();
     let stand = zigzag_strokes(journal, &steps, Kind::Post, Kind::Diagonal, cx.p.span_limit);
-    Some([0, 1].map(|wall| {
+    let stands = |i: &&usize| steps[**i].post.base != steps[**i].post.peak;
+    let stand: Vec<usize> = stand.iter().filter(stands).copied().collect();
+    let posts = [0, 1].map(|wall| {
         let own = stand.iter().filter(|&&i| places[way[i]].wall == wall);
-        own.map(|&i| steps[i].post).filter(|post| post.base != post.peak).collect()
-    }))
+        own.map(|&i| steps[i].post).collect()
+    });
+    Some(Woven { posts, peaks: stand.iter().map(|&i| steps[i].post.peak).collect() })
 }
 
 /// How a contour stands on posts of a weave, which may run against it or along a part of it; it is

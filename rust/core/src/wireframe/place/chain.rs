@@ -14,6 +14,8 @@ use crate::wireframe::place::tuning::{ALIGN, EVEN, LONE};
 
 /// A chain may leave gaps of up to this many ideal spacings before any gap is allowed.
 const WIDEST: f64 = 2.5;
+/// … and of up to this part of a ring: one that stands on posts of one side alone tips over.
+const STEADY: f64 = 0.45;
 
 /// The cheapest chain of posts around (or along) a contour, from the first candidate on.
 ///
@@ -33,8 +35,13 @@ pub fn place(
 ) -> Vec<Post> {
     let Some(first) = all.first() else { return Vec::new() };
     let chain = Chain::new(curve, start, all, head, p);
-    [WIDEST * p.ideal, f64::INFINITY]
+    let wide = WIDEST * p.ideal;
+    let steady = STEADY * curve.length();
+    let is_small = curve.is_closed() && steady < wide;
+    is_small
+        .then_some(steady)
         .into_iter()
+        .chain([wide, f64::INFINITY])
         .find_map(|widest| chain.cheapest(widest))
         .unwrap_or_else(|| vec![first.post])
 }

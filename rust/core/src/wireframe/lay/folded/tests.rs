@@ -23,7 +23,7 @@ fn zigzag(scene: &Scene, head: (f64, f64), printed: bool) -> Option<(Vec<Strand>
         journal.polyline(&[at - DVec3::X, at], Kind::Cap);
         journal.begin_slab(0, &[]);
         let job = Job { curve: 0, carriers: vec![0], strip: 0 };
-        let standing = folded(cx, journal, cx.tops.get(0), &job, &ground)?;
+        let (standing, _) = folded(cx, journal, cx.tops.get(0), &job, &ground)?;
         Some((journal.entries().strands[1..].to_vec(), standing))
     })
 }

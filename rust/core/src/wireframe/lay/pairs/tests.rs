@@ -68,7 +68,7 @@ fn zigzag(scene: &Scene, head: DVec3) -> (Vec<Strand>, [(usize, usize); 2]) {
     scene.ask(|cx, journal| {
         journal.polyline(&[head - DVec3::X, head], Kind::Cap);
         journal.begin_slab(0, &[]);
-        let found = woven(cx, journal, cx.tops.get(0), [&jobs[0], &jobs[1]], &ground).unwrap();
+        let (found, _) = woven(cx, journal, cx.tops.get(0), [&jobs[0], &jobs[1]], &ground).unwrap();
         let posts = found.map(|(curve, standing)| (curve, standing.unwrap().posts.len()));
         assert_eq!(journal.entries().posts.len(), posts[0].1 + posts[1].1);
         (journal.entries().strands[1..].to_vec(), posts)
