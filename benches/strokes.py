@@ -1,6 +1,6 @@
 """Measures the engine of the window: processor seconds from a stroke to its proven print.
 
-python benches/strokes.py [--same DEEDS] [--printer PRINTER] [NAME…]
+python benches/strokes.py [--same DEEDS] [--machine PRINTER/MATERIAL] [NAME…]
 
 With --same it compares instead: after each of so many strokes, erasures and undos, what is printed
 with what is kept must be what is printed without, byte for byte.
@@ -106,11 +106,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--same", type=int, default=0, metavar="DEEDS")
-    parser.add_argument("--printer", default="kossel-mini", help="its limits and head")
+    parser.add_argument("--machine", default="kossel-mini/abs", help="printer/material")
     options = parser.parse_args()
     names, deeds = options.names, options.same
-    overrides = [*shared_models.ROOMY, "gcode.thumbnails=[]"]
-    settings = Settings.load(options.printer, overrides=overrides)
+    settings = shared_models.roomy(options.machine)
     folder = shared_models.SHARED / "models"
     with (folder / "manifest.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
