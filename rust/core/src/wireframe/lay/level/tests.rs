@@ -17,15 +17,32 @@ fn what_lies_on_something_lies_two_fifths_of_a_strand_higher() {
 }
 
 #[test]
-fn a_rim_lies_under_a_contour_that_is_nowhere_a_strand_off() {
+fn a_rim_is_the_contour_that_is_nowhere_a_strand_off() {
     let own = curve(&square(20.0));
     assert!(follows(&own, &rim(&square(20.0), 5.0), 0.7));
-    assert!(follows(&own, &rim(&square(20.69), 5.0), 0.7));
-    assert!(!follows(&own, &rim(&square(20.71), 5.0), 0.7));
+    // What a corner lies off is the diagonal of what its sides do.
+    assert!(follows(&own, &rim(&square(20.49), 5.0), 0.7));
+    assert!(!follows(&own, &rim(&square(20.5), 5.0), 0.7));
     assert!(!follows(&own, &rim(&square(20.5), 5.0), 0.5));
     let mut open = rim(&square(20.0), 5.0);
     open.closed = false;
     assert!(!follows(&own, &open, 0.7));
+}
+
+#[test]
+fn a_rim_around_more_than_the_contour_is_another_one() {
+    let own = square(20.0);
+    // It goes along all of the contour, and around what lies beside it.
+    let mut around = own.clone();
+    let count = own.points.len();
+    let (last, first) = (own.points[count - 1], own.points[0]);
+    let away = 30.0 * (first - last).perp().normalize();
+    let (near, far) = (last.lerp(first, 0.499), last.lerp(first, 0.501));
+    for way in [away, -away] {
+        around.points.truncate(count);
+        around.points.extend([near, near + way, far + way, far]);
+        assert!(!follows(&curve(&own), &rim(&around, 5.0), 0.7));
+    }
 }
 
 #[test]
