@@ -238,6 +238,30 @@ fn repeated_facets_are_dropped() {
 }
 
 #[test]
+fn bodies_with_sides_in_common_stay_closed() {
+    let sides = cuboid(DVec3::ZERO, DVec3::splat(10.0));
+    // The same box once more, its level faces parted along their other diagonals.
+    let mut other = sides.clone();
+    for z in [0.0, 10.0] {
+        let is_level = |face: &[u32; 3]| face.iter().all(|&v| sides.vertices[v as usize].z == z);
+        let level: Vec<usize> =
+            (0..other.faces.len()).filter(|&f| is_level(&other.faces[f])).collect();
+        let [one, two] = [other.faces[level[0]], other.faces[level[1]]];
+        let own = |face: [u32; 3], of: [u32; 3]| face.iter().position(|v| !of.contains(v)).unwrap();
+        let (i, k) = (own(one, two), own(two, one));
+        other.faces[level[0]] = [one[i], one[(i + 1) % 3], two[k]];
+        other.faces[level[1]] = [two[k], two[(k + 1) % 3], one[i]];
+    }
+    let both = together(&[sides, other]);
+    let (mesh, report) = repaired(&both);
+    assert_eq!((report.dropped_duplicate, report.boundary_edges), (0, 0));
+    assert!(is_closed(&mesh) && close(mesh.volume(), 2000.0));
+    // A whole body twice is one body.
+    let twice = together(&[cuboid(DVec3::ZERO, DVec3::ONE), cuboid(DVec3::ZERO, DVec3::ONE)]);
+    assert_eq!(repaired(&twice).1.dropped_duplicate, 12);
+}
+
+#[test]
 fn a_wall_inside_a_body_goes() {
     // Two boxes that share a face: the face exists twice, once from each side.
     let model = together(&[

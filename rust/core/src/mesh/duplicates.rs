@@ -1,6 +1,7 @@
 //! Facets that occur more than once.
 //!
-//! Of facets with the same vertices and direction, the first is kept. Facets with the same
+//! Of facets with the same vertices and direction, the first is kept, unless it is two bodies that
+//! have some of their sides in common: either would be open without its own. Facets with the same
 //! vertices and opposite directions are either a sheet that was modelled from both sides (then
 //! every facet of the sheet has such a twin, and one side is kept) or a wall inside a body
 //! (then both go, and what surrounds them stays closed).
@@ -43,7 +44,9 @@ pub fn drop_duplicates(surface: &mut Surface) -> usize {
             twin.insert(reverse, first);
         }
     }
-    drop_twins(surface, &twin, &mut dropped);
+    let around = around(surface);
+    keep_sides(surface, &around, &mut dropped);
+    drop_twins(surface, &around, &twin, &mut dropped);
     surface.drop_faces(&dropped)
 }
 
@@ -66,12 +69,55 @@ fn is_even([a, b, c]: [u32; 3]) -> bool {
     [a > b, b > c, a > c].iter().filter(|&&inversion| inversion).count() % 2 == 0
 }
 
-/// Marks one side of every sheet whose facets all have twins, and both of all other twins.
-fn drop_twins(surface: &Surface, twin: &HashMap<u32, u32>, dropped: &mut [bool]) {
+/// For each half-edge of an edge of more than two faces, all of that edge.
+fn around(surface: &Surface) -> HashMap<u32, &[u32]> {
     let mut around: HashMap<u32, &[u32]> = HashMap::new();
     for fan in &surface.fans {
         around.extend(fan.iter().map(|&h| (h, fan.as_slice())));
     }
+    around
+}
+
+/// Takes the mark from marked faces that hang together, where some edge has an even number of faces
+/// with them, as in closed bodies, and an odd number without.
+fn keep_sides(surface: &Surface, around: &HashMap<u32, &[u32]>, dropped: &mut [bool]) {
+    let marked: Vec<u32> = (0..).zip(&*dropped).filter(|(_, is)| **is).map(|(f, _)| f).collect();
+    let mut seen = vec![false; if marked.is_empty() { 0 } else { surface.faces.len() }];
+    for &start in &marked {
+        if std::mem::replace(&mut seen[start as usize], true) {
+            continue;
+        }
+        let (mut sides, mut next, mut closes, mut opens) = (vec![start], 0, false, false);
+        while let Some(&f) = sides.get(next) {
+            next += 1;
+            for h in 3 * f..3 * f + 3 {
+                let fan = around.get(&h).copied().unwrap_or_default();
+                let of = |h: &u32| dropped[*h as usize / 3];
+                let same = fan.iter().filter(|h| of(h)).count();
+                if same % 2 == 1 {
+                    closes |= fan.len() % 2 == 0;
+                    opens |= fan.len() % 2 == 1;
+                }
+                for g in fan.iter().filter(|h| of(h)).map(|h| h / 3) {
+                    if !std::mem::replace(&mut seen[g as usize], true) {
+                        sides.push(g);
+                    }
+                }
+            }
+        }
+        if closes && !opens {
+            sides.iter().for_each(|&f| dropped[f as usize] = false);
+        }
+    }
+}
+
+/// Marks one side of every sheet whose facets all have twins, and both of all other twins.
+fn drop_twins(
+    surface: &Surface,
+    around: &HashMap<u32, &[u32]>,
+    twin: &HashMap<u32, u32>,
+    dropped: &mut [bool],
+) {
     let mut seen = vec![false; if twin.is_empty() { 0 } else { surface.faces.len() }];
     let mut keys: Vec<u32> = twin.keys().copied().collect();
     keys.sort_unstable();
