@@ -20,7 +20,6 @@ import shared_models
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
 from wireprint.regions import HalfSpace, Region, Stroke
-from wireprint.settings import Settings
 
 STROKES = 5
 #: Each is made so often, and the quickest counts: others use the machine, too.
