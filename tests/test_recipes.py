@@ -87,7 +87,7 @@ def copy(tmp_path_factory):
         (package / extension.name).symlink_to(extension)
     (package / "profiles/printers/workbench.toml").write_text(PRINTER, encoding="utf-8")
     (package / "profiles/materials/beeswax.toml").write_text(MATERIAL, encoding="utf-8")
-    put(package / "choices.py", ('"klipper"]', '"klipper", "smoothie"]'))
+    put(package / "choices.py", ('"klipper",', '"klipper", "smoothie",'))
     put(
         package / "gcode/flavors.py",
         ('    "klipper": Flavor(\n', f'{FLAVOR}    "klipper": Flavor(\n'),

@@ -180,6 +180,9 @@ def mushroom():
     return layers.text(), wireprint.as_mesh(trimesh.util.concatenate([stem, cap]))
 
 
+@pytest.mark.xfail(
+    strict=True, reason="spokes from the stem to the plate's rim are the model's, not its supports"
+)
 def test_supports_alone_carry_layers_of_the_same_model():
     layers, mesh = mushroom()
     alone = wireprint.check(layers, SETTINGS)

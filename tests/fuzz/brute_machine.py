@@ -78,6 +78,9 @@ class Machine:
         elif code == "G28":
             named = {axis for axis, letter in enumerate("XYZ") if letter in words}
             self.home(number, named or {0, 1, 2})
+        elif code == "G280":
+            # Ultimaker's priming: that printer homes ahead of a file.
+            self.home_axes = {0, 1, 2}
         elif code in ("G90", "G91"):
             self.relative = code == "G91"
             if not self.klipper:

@@ -117,7 +117,9 @@ def commands(toolpath: Toolpath, settings: Settings, *, wire: bool = True) -> by
     """
     gcode = settings.printer.gcode
     material = settings.material
-    names = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c} | _edges_mm(toolpath)
+    names: dict[str, float] = {"nozzle_c": material.nozzle_c, "bed_c": material.bed_c}
+    if any(f"{{{name}" in gcode.start for name in sequence.EDGE_NAMES):
+        names |= _edges_mm(toolpath)
     gentle, usual = bed_limits(settings) if wire else ("", "")
     parts = [
         _sequence(gcode.start, names).encode(),
@@ -134,12 +136,8 @@ def _edges_mm(toolpath: Toolpath) -> dict[str, float]:
     """Return the rectangle that a print covers on the bed, by the names of start sequences."""
     laid = toolpath.to[toolpath.filament > 0, :2]
     low, high = (laid.min(axis=0), laid.max(axis=0)) if len(laid) else ((0.0, 0.0), (0.0, 0.0))
-    corners = {"min": low, "max": high}
-    return {
-        f"{end}_{axis}_mm": float(corner[i])
-        for end, corner in corners.items()
-        for i, axis in enumerate("xy")
-    }
+    figures = (float(corner[i]) for corner in (low, high) for i in (0, 1))
+    return dict(zip(sequence.EDGE_NAMES, figures, strict=True))
 
 
 def ending(top_mm: float, settings: Settings) -> bytes:

@@ -12,8 +12,10 @@ if TYPE_CHECKING:
 #: brace.
 _PLACE: Final = re.compile(r"(\{\{|\}\})|\{(\w+)(?::(?:\.([0-6])f|(d)))?\}|[{}]")
 _MOST_SHOWN: Final = 30
+#: The rectangle that the print covers, mm.
+EDGE_NAMES: Final = ("min_x_mm", "min_y_mm", "max_x_mm", "max_y_mm")
 #: What a start sequence may name: temperatures, °C, and the rectangle that the print covers.
-START_NAMES: Final = ("nozzle_c", "bed_c", "min_x_mm", "min_y_mm", "max_x_mm", "max_y_mm")
+START_NAMES: Final = ("nozzle_c", "bed_c", *EDGE_NAMES)
 #: What an end sequence may name: a height above the print.
 END_NAMES: Final = ("park_z_mm",)
 
