@@ -180,9 +180,6 @@ def mushroom():
     return layers.text(), wireprint.as_mesh(trimesh.util.concatenate([stem, cap]))
 
 
-@pytest.mark.xfail(
-    strict=True, reason="spokes from the stem to the plate's rim are the model's, not its supports"
-)
 def test_supports_alone_carry_layers_of_the_same_model():
     layers, mesh = mushroom()
     alone = wireprint.check(layers, SETTINGS)
@@ -191,6 +188,18 @@ def test_supports_alone_carry_layers_of_the_same_model():
     assert found.certificate.ok, found.certificate
     names = np.array(found.certificate.core.features)[found.certificate.core.strand_features]
     assert set(names) == {"solid infill", "support"}
+
+
+@pytest.mark.parametrize(("half_mm", "stem_mm"), [(20, 5), (25, 8), (30, 10)])
+def test_supports_carry_what_is_one_body_with_what_it_leans_on(half_mm, stem_mm):
+    outline = [(0, 0), (stem_mm, 0), (stem_mm, 12), (half_mm, 12), (half_mm, 14), (0, 14), (0, 0)]
+    to_corner = np.array(outline) * (np.sqrt(2), 1)
+    mesh = trimesh.creation.revolve(to_corner, sections=4)
+    mesh.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 4, (0, 0, 1)))
+    layers = Layers().plate(0, 0, 2 * stem_mm, 2 * stem_mm, 0.0, 12.0)
+    layers.plate(0, 0, 2 * half_mm, 2 * half_mm, 12.0, 13.0)
+    found = splice(wireprint.as_mesh(mesh), layers.text(), SETTINGS, supports=True)
+    assert found.certificate.ok, found.certificate
 
 
 def test_a_model_that_needs_no_supports_is_told_so():

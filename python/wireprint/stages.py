@@ -26,6 +26,8 @@ def wireframe(
     standing: Standing | None = None,
     at_mm: Point = (0.0, 0.0, 0.0),
     plain: Wireframe | None = None,
+    *,
+    bearing: bool = False,
 ) -> Wireframe:
     """Slice a mesh and lay its strands.
 
@@ -43,6 +45,9 @@ def wireframe(
     plain
         The same without layers, where it is at hand: with it the print is made sooner, and is the
         same.
+    bearing
+        Whether what looks down is to bear layers of the model: what closes it is supports, at the
+        height where those layers begin.
 
     Returns
     -------
@@ -55,7 +60,7 @@ def wireframe(
         Where no slice has a contour.
     """
     head = settings.printer.head.model_dump()
-    wire = settings.wire.model_dump() | _of_wire(settings)
+    wire = settings.wire.model_dump() | _of_wire(settings) | {"bearing": bearing}
     strands = None if standing is None else standing.about(origin_mm(settings, at_mm))
     return _core.wireframe(mesh, head, wire, layered, strands, plain)
 

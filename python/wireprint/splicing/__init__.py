@@ -103,7 +103,7 @@ def splice(
         text = standing.stopped_text(layers, standing.Stopped(z_mm=at_mm[2]), settings)
         below = standing.Standing(((name, text),), settings=settings)
     body = fitted(mesh, settings).mesh
-    frame = wireframe(body, settings, None, below, at_mm)
+    frame = wireframe(body, settings, None, below, at_mm, bearing=supports)
     if supports:
         frame = _carrying(frame)
     # Who wants supports alone does not ask how much of the model is wire.
@@ -145,6 +145,7 @@ def _barred(frame: Wireframe, certificate: Certificate, origin_mm: Point) -> lis
     lines |= {end.line for end in (*certificate.floating_starts, *certificate.dangling_ends)}
     lines |= {hit.line for hit in certificate.collisions}
     lines |= {span.line for span in certificate.spans_over}
+    lines |= {end.line for end in certificate.hurried}
     named = [number for number, name in enumerate(core.features) if name == KINDS[_SUPPORT]]
     blamed = np.isin(core.strand_lines, [line for line in lines if line is not None])
     blamed &= np.isin(core.strand_features, named)

@@ -49,6 +49,9 @@ pub struct WireParams {
     pub caps: bool,
     /// Whether what begins in the air is supported.
     pub supports: bool,
+    /// Whether what looks down is to bear layers of the model: what closes it is supports.
+    #[serde(default)]
+    pub bearing: bool,
     /// Distance between the strands of a cap.
     #[serde(rename = "cap_spacing_mm")]
     pub cap_spacing: f64,

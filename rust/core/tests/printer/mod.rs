@@ -89,6 +89,7 @@ impl Printer {
             placement: Placement::Optimal,
             caps: true,
             supports: true,
+            bearing: false,
             cap_spacing: 6.0 * scale,
             span_limit: 65.0 * scale,
             free_end_limit: 20.0 * scale,

@@ -7,7 +7,7 @@ use crate::geometry::curve::Curve;
 use crate::geometry::nearest_first::Waiting;
 use crate::strand::Kind;
 use crate::wireframe::lay::context::Context;
-use crate::wireframe::lay::faces::close;
+use crate::wireframe::lay::faces::{Looks, close};
 use crate::wireframe::lay::ground::Ground;
 use crate::wireframe::lay::journal::Journal;
 use crate::wireframe::lay::ring::{Course, ring_through};
@@ -32,7 +32,7 @@ pub fn on_bed(cx: &Context, journal: &mut Journal, first: &LevelStep) -> Ground 
         ground.rims[i] = Some(press(journal, &curve, contours[i].support, z, cx.p.strand));
     }
     for floor in first.ledges.iter().filter(|floor| floor.closes(contours, &floor.upper)) {
-        close(cx, journal, 0, &floor.upper, &mut ground);
+        close(cx, journal, 0, (&floor.upper, Looks::Up), &mut ground);
     }
     ground
 }

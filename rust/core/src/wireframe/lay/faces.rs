@@ -26,6 +26,15 @@ const BARE: f64 = 2.0 / 3.0;
 /// Bare places that come to less than the square of this part of that distance are left.
 const LEFT: f64 = 0.5;
 
+/// Which way a level face looks.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Looks {
+    /// A lid, or what lies on the bed.
+    Up,
+    /// A floor over the air.
+    Down,
+}
+
 /// Closes what ends at the foot of this slab.
 pub fn roofs_of_slab(cx: &Context, journal: &mut Journal, slab: usize, ground: &mut Ground) {
     for (s, strip) in cx.sliced.strips[slab].iter().enumerate() {
@@ -34,7 +43,7 @@ pub fn roofs_of_slab(cx: &Context, journal: &mut Journal, slab: usize, ground: &
         }
         let contours = &cx.sliced.upper[slab];
         if strip.roofed || strip.upper.is_empty() && strip.closes(contours, &strip.lower) {
-            close(cx, journal, slab, &strip.lower, ground);
+            close(cx, journal, slab, (&strip.lower, Looks::Up), ground);
         }
     }
 }
@@ -45,7 +54,7 @@ pub fn close(
     cx: &Context,
     journal: &mut Journal,
     level: usize,
-    which: &[u32],
+    (which, looks): (&[u32], Looks),
     ground: &mut Ground,
 ) {
     if !cx.p.caps || which.iter().any(|&i| ground.rims[i as usize].is_none()) {
@@ -55,10 +64,10 @@ pub fn close(
     let Some(place) = LevelFace::new(cx, journal, level, &rings) else { return };
     let inside = place.inside(cx.p.strand);
     let lines = match inside.strands() {
-        [] => fill(cx, journal, &place, LinesWanted::All),
+        [] => fill(cx, journal, &place, LinesWanted::All, looks),
         _ => {
             let (places, area) = bare(&place.plan, &inside, BARE * cx.p.cap_spacing);
-            fill_bare(cx, journal, &place, &places, area)
+            fill_bare(cx, journal, &place, (&places, area), looks)
         }
     };
     ground.lines.extend(lines);
@@ -83,7 +92,8 @@ pub fn fill_ledge(
     };
     let Some(place) = LevelFace::new(cx, journal, step.level, &rings) else { return };
     let (places, area) = bare(&place.plan, &place.surface, BARE * cx.p.cap_spacing);
-    let lines = fill_bare(cx, journal, &place, &places, area);
+    let looks = if ledge.plan < 0.0 { Looks::Down } else { Looks::Up };
+    let lines = fill_bare(cx, journal, &place, (&places, area), looks);
     printed.lines.extend(lines);
 }
 
@@ -101,18 +111,24 @@ fn fill_bare(
     cx: &Context,
     journal: &mut Journal,
     place: &LevelFace,
-    places: &[DVec2],
-    area: f64,
+    (places, area): (&[DVec2], f64),
+    looks: Looks,
 ) -> Vec<Rim> {
     if places.len() as f64 * area < (LEFT * cx.p.cap_spacing).powi(2) {
         return Vec::new();
     }
-    fill(cx, journal, place, LinesWanted::Near(places))
+    fill(cx, journal, place, LinesWanted::Near(places), looks)
 }
 
 /// Prints strands from rim to rim; what is too wide for them is noted.
-fn fill(cx: &Context, journal: &mut Journal, place: &LevelFace, wanted: LinesWanted) -> Vec<Rim> {
-    let (spacing, kind) = lid(cx, &place.plan, place.level);
+fn fill(
+    cx: &Context,
+    journal: &mut Journal,
+    place: &LevelFace,
+    wanted: LinesWanted,
+    looks: Looks,
+) -> Vec<Rim> {
+    let (spacing, kind) = lid(cx, &place.plan, place.level, looks);
     let deck = place.deck(cx, wanted, spacing);
     place.wants_columns(cx, journal, &deck);
     let rims = place.print(cx, journal, &deck, kind);
@@ -124,12 +140,13 @@ fn fill(cx: &Context, journal: &mut Journal, place: &LevelFace, wanted: LinesWan
 }
 
 /// How the strands of a face lie apart, and what they are: side by side where it is marked.
-fn lid(cx: &Context, rims: &[Vec<DVec2>], level: usize) -> (f64, Kind) {
+fn lid(cx: &Context, rims: &[Vec<DVec2>], level: usize, looks: Looks) -> (f64, Kind) {
     let of = &cx.sliced.levels[level];
     let (low, high) = if level == 0 { (f64::NEG_INFINITY, of.low) } else { (of.low, of.high) };
     let slack = FLAT * cx.p.strand;
     if !cx.layered.has_flat(rims, low - slack, high + slack) {
-        return (cx.p.cap_spacing, Kind::Cap);
+        let bears = cx.p.bearing && looks == Looks::Down;
+        return (cx.p.cap_spacing, if bears { Kind::Support } else { Kind::Cap });
     }
     // On the bed a strand is squeezed to its height, and wider in turn.
     let strand = cx.p.strand;

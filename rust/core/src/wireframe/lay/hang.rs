@@ -43,8 +43,9 @@ pub fn hang(
     let neighbours = printed.near(flat.curve, cx.p.free_end_limit);
     let standing = spokes(cx, journal, flat, &neighbours, kind, spacing, |_| true)?;
     let standing = tighten(cx, journal, flat, level, standing, printed, wide_gap(cx));
-    let kind = if contour.support { Kind::Support } else { Kind::Contour };
-    Some(follow(cx, journal, flat.curve, &standing, flat.z, kind))
+    let kind = if contour.support || cx.p.bearing { Kind::Support } else { Kind::Contour };
+    let rim = follow(cx, journal, flat.curve, &standing, flat.z, kind);
+    Some(Rim { support: contour.support, ..rim })
 }
 
 /// Asks for columns under a contour that hangs on nothing.

@@ -9,7 +9,7 @@ use crate::wireframe::lay::bed::press;
 use crate::wireframe::lay::carry::{Carried, carry, is_far};
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::follow;
-use crate::wireframe::lay::faces::{close, fill_ledge};
+use crate::wireframe::lay::faces::{Looks, close, fill_ledge};
 use crate::wireframe::lay::ground::{Ground, places};
 use crate::wireframe::lay::hang::{Hanging, hang, want_columns};
 use crate::wireframe::lay::journal::Journal;
@@ -41,7 +41,7 @@ fn on_top(cx: &Context, journal: &mut Journal, step: &LevelStep, mut printed: Gr
         l.upper.is_empty() && l.closes(below, &l.lower) && !is_layered(cx, step, &l.lower)
     };
     for ledge in ledges.iter().filter(ends) {
-        close(cx, journal, level, &ledge.lower, &mut printed);
+        close(cx, journal, level, (&ledge.lower, Looks::Up), &mut printed);
     }
     // What is held goes first, for what begins in the air hangs on it.
     let held = ledges.iter().filter(|l| !l.lower.is_empty() && !l.upper.is_empty());
@@ -64,7 +64,7 @@ fn on_top(cx: &Context, journal: &mut Journal, step: &LevelStep, mut printed: Gr
         }
         if ledge.lower.is_empty() {
             if ledge.closes(contours, &ledge.upper) {
-                close(cx, journal, level, &ledge.upper, &mut ground);
+                close(cx, journal, level, (&ledge.upper, Looks::Down), &mut ground);
             }
         } else if !is_layered(cx, step, &ledge.lower) {
             fill_ledge(cx, journal, step, ledge, &mut printed, &ground);
@@ -140,7 +140,8 @@ fn rise(
     if level == 0 && lifted <= cx.p.strand {
         return Some(press(journal, curve, contour.support, lifted, cx.p.strand));
     }
-    if ledge.lower.is_empty() {
+    // Layers lie on what hangs at their height, not on what lies upon what is below.
+    if ledge.lower.is_empty() || cx.p.bearing && ledge.plan < 0.0 {
         let hanging = Hanging { contour, flat: Flat { curve, z }, level };
         let rim = hang(cx, journal, hanging, carried, printed);
         if rim.is_none() && !contour.support && !carried.is_wanted {

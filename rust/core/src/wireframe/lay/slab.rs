@@ -12,7 +12,7 @@ use crate::wireframe::lay::coil::coil;
 use crate::wireframe::lay::coils::Coils;
 use crate::wireframe::lay::context::Context;
 use crate::wireframe::lay::contour::{is_support, ring, rings};
-use crate::wireframe::lay::faces::{close, give_up};
+use crate::wireframe::lay::faces::{Looks, close, give_up};
 use crate::wireframe::lay::folded::folded;
 use crate::wireframe::lay::ground::{Ground, Standing};
 use crate::wireframe::lay::hang::{Hanging, hang, want_columns};
@@ -226,7 +226,7 @@ pub fn floor(cx: &Context, journal: &mut Journal, top: &Top, job: &Job, printed:
     let contours = &cx.sliced.lower[top.slab + 1];
     let last = strip.upper.iter().all(|&i| printed.rims[i as usize].is_some());
     if strip.lower.is_empty() && last && strip.closes(contours, &strip.upper) {
-        close(cx, journal, top.slab + 1, &strip.upper, printed);
+        close(cx, journal, top.slab + 1, (&strip.upper, Looks::Down), printed);
     } else if !job.carriers.is_empty() && !strip.roofed && leans(strip) {
         journal.want_roof(top.slab, job.strip);
     }

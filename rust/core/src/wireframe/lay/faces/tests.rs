@@ -21,7 +21,7 @@ fn closing(across: &[f64], caps: bool) -> usize {
         }
         let mut ground = Ground { rims: vec![Some(own)], lines: Vec::new() };
         let before = journal.entries().strands.len();
-        close(cx, journal, 1, &[0], &mut ground);
+        close(cx, journal, 1, (&[0], Looks::Up), &mut ground);
         let closing = journal.entries().strands.len() - before;
         assert_eq!(ground.lines.is_empty(), closing == 0);
         closing
