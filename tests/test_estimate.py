@@ -218,3 +218,11 @@ def test_a_clock_is_read_as_people_read_it(seconds, text):
 def test_a_time_that_no_print_takes_is_not_told(told):
     text = f"G28\nG1 X1 F600\n; estimated printing time (normal mode) = {told}\n"
     assert stated_time_s(text.encode()) is None
+
+
+@pytest.mark.parametrize("printer", ["prusa-mk4s", "voron-2.4"])
+def test_e_that_must_be_relative_is_so_behind_g90_too(printer):
+    lines = [f"G1 X{10 + 50 * (i % 2)} Y{10 + i} E1.5" for i in range(40)]
+    text = "\n".join(["G28", "START_PRINT", "G90", "G1 F1800", *lines]).encode()
+    found = estimate(text, printer=printer)
+    assert found.filament_mm == pytest.approx(60.0)

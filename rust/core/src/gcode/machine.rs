@@ -320,8 +320,9 @@ impl Machine {
             }
             Command::Positioning { relative, .. } => {
                 self.relative = relative;
+                // Of E that must be relative G90 says nothing: a macro did, before or behind it.
                 if self.settings.dialect == Dialect::Marlin {
-                    self.relative_extrusion = relative;
+                    self.relative_extrusion = relative || self.settings.relative_extrusion;
                 }
             }
             Command::Extrusion { relative, .. } => self.relative_extrusion = relative,
