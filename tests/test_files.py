@@ -141,6 +141,16 @@ def test_a_link_is_followed_and_stays_a_link(tmp_path):
     assert [path.name for path in real.parent.iterdir()] == ["real.gcode"]
 
 
+def test_a_link_to_what_is_no_output_is_refused(model, tmp_path):
+    other, link = tmp_path / "other.stl", tmp_path / "link.gcode"
+    other.write_bytes(b"a model")
+    link.symlink_to(other)
+    done = run("slice", model, "-o", link)
+    assert done.exit_code == 2
+    assert f"it leads to {other}, and .stl is not what is written here" in done.stderr
+    assert other.read_bytes() == b"a model"
+
+
 def test_links_that_lead_in_a_circle_are_refused(tmp_path):
     (tmp_path / "a").symlink_to(tmp_path / "b")
     (tmp_path / "b").symlink_to(tmp_path / "a")

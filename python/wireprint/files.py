@@ -117,6 +117,7 @@ def output(
     apart(path, inputs)
     if not _is_special(path):
         _check_suffix(path, suffixes)
+        _check_target(path, suffixes)
     if not in_folder and not os.path.isdir(path.parent):
         raise OutputError(f"{path}: there is no folder {path.parent}")
     return Output(path, makes_folder=in_folder)
@@ -211,6 +212,14 @@ def _check_suffix(path: Path, suffixes: Sequence[str]) -> None:
     else:
         msg = f"{path}: end the name in {usual}, or in / for a folder"
     raise OutputError(msg)
+
+
+def _check_target(path: Path, suffixes: Sequence[str]) -> None:
+    """Refuse a link to what is there under a name that output does not have, such as a model."""
+    real = Path(os.path.realpath(path))
+    if path.is_symlink() and real.is_file() and real.suffix.lower() not in ("", *suffixes):
+        msg = f"{path}: it leads to {real}, and {real.suffix} is not what is written here"
+        raise OutputError(f"{msg}; name another output")
 
 
 def _descriptor(path: Path) -> int | None:
