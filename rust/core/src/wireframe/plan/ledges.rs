@@ -1,4 +1,4 @@
-//! Ledges of a solid, from its slices alone.
+//! Ledges of a solid, from its slices alone where its faces do not tell.
 //!
 //! Which faces join which contours says little where bodies overlap: the sides of one bury those of
 //! another, and of sides that coincide one is taken. But what all of them enclose is known from the
@@ -11,15 +11,37 @@ use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
 use crate::wireframe::plan::strips::{Slab, Strip, all_ledges, by_first};
 
-/// The ledges of each slab, all at once.
+/// Slices close more than faces do where it is by more than this part: equal areas differ by rounding.
+const MORE: f64 = 0.01;
+
+/// The ledges of each slab, all at once: by the faces, which know of plates too thin for any slice, or,
+/// of a solid, by the slices where these close more.
 #[must_use]
 pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
-    let is_solid = mesh.neighbours.par_iter().all(|sides| !sides.contains(&NO_FACE));
-    match is_solid {
-        true => slabs.par_iter().map(|slab| ledges_between(slab.lower, slab.upper)).collect(),
+    let by_faces = all_ledges(mesh, slabs);
+    if mesh.neighbours.par_iter().any(|sides| sides.contains(&NO_FACE)) {
         // What an open surface has between two slices, only its faces tell.
-        false => all_ledges(mesh, slabs),
+        return by_faces;
     }
+    let better = |(slab, faces): (&Slab, Vec<Strip>)| {
+        let slices = ledges_between(slab.lower, slab.upper);
+        let [own, other] = [&faces, &slices].map(|strips| closed_area(slab, strips));
+        if other > own * (1.0 + MORE) { slices } else { faces }
+    };
+    slabs.par_iter().zip(by_faces).map(better).collect()
+}
+
+/// Area of what strips close between their contours, mm².
+fn closed_area(slab: &Slab, strips: &[Strip]) -> f64 {
+    let net = |contours: &[Contour], which: &[u32]| -> f64 {
+        which.iter().map(|&i| contours[i as usize].area).sum()
+    };
+    let closed = |strip: &Strip| {
+        let change = (net(slab.lower, &strip.lower) - net(slab.upper, &strip.upper)).abs();
+        let plan = strip.plan.abs();
+        if plan >= 0.5 * change { plan.min(change) } else { 0.0 }
+    };
+    strips.iter().map(closed).sum()
 }
 
 /// The ledges between two slices of a solid: what of their contours hangs together by level faces, or
