@@ -1,8 +1,12 @@
 //! G-code texts: judged and timed on machines of every kind.
 #![no_main]
 
+#[path = "../../core/tests/planner_common/mod.rs"]
+mod planner_common;
+
 use glam::{DVec2, DVec3, dvec2};
 use libfuzzer_sys::fuzz_target;
+use planner_common::LIMITS;
 use wireprint_core::check::{Bed, Limits as Bounds, Rules, Settling, certify_text};
 use wireprint_core::gcode::arc::Fineness;
 use wireprint_core::gcode::homing::{Homing, Way};
@@ -10,7 +14,7 @@ use wireprint_core::gcode::machine::{Dialect, MachineSettings};
 use wireprint_core::gcode::retraction::Retraction;
 use wireprint_core::head::Head;
 use wireprint_core::planner::{
-    Allowances, DeltaGeometry, Firmware, Kinematics, Limits, MarlinLimits, Options, estimate,
+    Allowances, DeltaGeometry, Firmware, Kinematics, Limits, Options, estimate,
 };
 
 fuzz_target!(|text: &[u8]| {
@@ -68,29 +72,4 @@ const DELTA: DeltaGeometry = DeltaGeometry {
     arm_length: 215.0,
     step_distance: 0.0125,
     endstop_height: 240.0,
-};
-
-const LIMITS: Limits = Limits {
-    kinematics: Kinematics::Cartesian,
-    max_velocity: 300.0,
-    max_accel: 1500.0,
-    square_corner_velocity: 5.0,
-    minimum_cruise_ratio: 0.5,
-    max_z_velocity: 12.0,
-    max_z_accel: 100.0,
-    max_extrude_only_velocity: 120.0,
-    max_extrude_only_accel: 1500.0,
-    instantaneous_corner_velocity: 1.0,
-    arc_resolution: 1.0,
-    retraction: None,
-    marlin: MarlinLimits {
-        max_velocity: [300.0, 300.0, 12.0, 120.0],
-        max_accel: [1500.0, 1500.0, 100.0, 10_000.0],
-        jerk: [5.0, 5.0, 0.4, 5.0],
-        junction_deviation: 0.013,
-        print_accel: 1500.0,
-        travel_accel: 1000.0,
-        retract_accel: 800.0,
-        steps_per_mm: [80.0, 80.0, 400.0, 500.0],
-    },
 };
