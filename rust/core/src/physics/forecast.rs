@@ -8,11 +8,11 @@ use glam::DVec3;
 use super::beam::Section;
 use super::climate::Climate;
 use super::clock::{Times, spans};
-use super::compliance::Compliance;
 use super::conditions::{Conditions, along};
 use super::flows::{Flows, flows};
 use super::frame::{Frame, contacts};
-use super::growth::{Effort, Opening, carrying, grow, rises};
+use super::growing::grow;
+use super::growth::{carrying, rises};
 use super::hanging::{Stretch, stretches};
 use super::holds::{Stroke, softness};
 use super::joints::{Joints, joints};
@@ -152,28 +152,17 @@ impl Scene<'_> {
     /// How far the frame gives way as it grows.
     fn grown(&self, frame: &Frame) -> Result<Grown> {
         let Self { deposit, rules, terms, .. } = self;
-        let mut grown = Grown {
-            compliance: vec![f64::NAN; deposit.strands.len()],
-            meets: Found::default(),
-            judged: true,
-        };
-        let open = Opening::of(frame);
-        let Effort { work, most_open } = open.effort(frame);
-        if work > terms.most_work {
-            return Ok(Grown { judged: false, ..grown });
-        }
-        let room = Compliance::bytes(most_open);
-        memory::claim(room, || format!("a frame with {most_open} loose ends"))?;
+        let mut compliance = vec![f64::NAN; deposit.strands.len()];
+        let mut meets = Found::default();
         let section = Section::new(rules.strand, terms.frame_modulus());
-        grow(frame, &open, most_open, section, |laid| {
-            let gives = laid.tip.or(laid.met).unwrap_or(f64::NAN);
-            grown.compliance[laid.strand] = gives;
+        let judged = grow(frame, section, terms.most_work, |laid| {
+            compliance[laid.strand] = laid.tip.or(laid.met).unwrap_or(f64::NAN);
             if let Some(met) = laid.met {
                 let miss = terms.pull_n * met;
-                grown.meets.add(self.at_end(laid.strand, miss, 0.0, met), rules.tolerance());
+                meets.add(self.at_end(laid.strand, miss, 0.0, met), rules.tolerance());
             }
-        });
-        Ok(grown)
+        })?;
+        Ok(Grown { compliance, meets, judged })
     }
 
     /// How far posts lean when the nozzle leaves them, if they set faster by so much.

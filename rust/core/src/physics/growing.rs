@@ -1,0 +1,280 @@
+//! The beams of a frame, added one after the other: how far each end gives way when it is laid.
+//!
+//! Kept is the compliance of those nodes alone that later beams will touch: a free end adds a node,
+//! an end that meets another closes a loop.
+
+use super::beam::{Section, transport};
+use super::compliance::Compliance;
+use super::frame::Frame;
+use super::opening::{Effort, Opening};
+use super::six::greatest_of_shifts;
+use crate::error::Result;
+use crate::memory;
+
+/// A strand that has just been laid, and how far things give way where it ends, mm/N.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Laid {
+    pub strand: usize,
+    /// Its own end, if that is new and hangs freely.
+    pub tip: Option<f64>,
+    /// The softest place that it met, before it held it.
+    pub met: Option<f64>,
+}
+
+/// Lays the beams in the order of printing; `told` is told each strand when it has just been laid.
+///
+/// False: that would take more than `most_work` floating-point operations, and nothing was done.
+///
+/// # Errors
+/// [`CoreError::Memory`](crate::CoreError::Memory) where more ends are loose at a time than the
+/// memory that is allowed has room for.
+pub(super) fn grow(
+    frame: &Frame,
+    section: Section,
+    most_work: f64,
+    told: impl FnMut(Laid),
+) -> Result<bool> {
+    let open = Opening::of(frame);
+    let Effort { work, most_open } = open.effort(frame);
+    if work > most_work {
+        return Ok(false);
+    }
+    memory::claim(Compliance::bytes(most_open), || format!("a frame with {most_open} loose ends"))?;
+    lay(frame, &open, Compliance::with_room(most_open), section, told);
+    Ok(true)
+}
+
+/// Adds the beams one after the other.
+fn lay(
+    frame: &Frame,
+    open: &Opening,
+    mut compliance: Compliance,
+    section: Section,
+    mut told: impl FnMut(Laid),
+) {
+    let mut slots: Vec<Option<u32>> = vec![None; frame.places.len()];
+    // The node in each slot.
+    let mut opened: Vec<usize> = Vec::new();
+    for beams in frame.beams.chunk_by(|a, b| a.strand == b.strand) {
+        let strand = beams[0].strand;
+        let mut tip = None;
+        let mut met: Option<f64> = None;
+        for beam in beams {
+            let [from, to] = [beam.from as usize, beam.to as usize];
+            let is_held = |node: usize| frame.fixed[node] || slots[node].is_some();
+            // A beam is laid from what holds it; one that nothing holds is loose, and left out.
+            let (from, to) = if is_held(from) { (from, to) } else { (to, from) };
+            if !is_held(from) {
+                continue;
+            }
+            let run = frame.places[to] - frame.places[from];
+            let (transport, flexibility) = (transport(run), section.flexibility(run));
+            if is_held(to) {
+                if let Some(slot) = slots[to] {
+                    let gives = greatest_of_shifts(&compliance.block(slot));
+                    met = Some(met.map_or(gives, |most| most.max(gives)));
+                }
+                compliance.close(slots[from], slots[to], &transport, &flexibility);
+                tip = None;
+            } else {
+                slots[to] = Some(compliance.open(slots[from], &transport, &flexibility));
+                opened.push(to);
+                tip = Some(to);
+            }
+        }
+        let end = frame.ends[strand as usize].map(|[_, end]| end as usize);
+        let tip = tip.filter(|&node| Some(node) == end).and_then(|node| slots[node]);
+        let tip = tip.map(|slot| greatest_of_shifts(&compliance.block(slot)));
+        told(Laid { strand: strand as usize, tip, met });
+        for slot in (0..opened.len()).rev() {
+            if open.until(opened[slot]) > strand {
+                continue;
+            }
+            compliance.drop(slot as u32);
+            slots[opened.swap_remove(slot)] = None;
+            if let Some(&moved) = opened.get(slot) {
+                slots[moved] = Some(slot as u32);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec3, dvec3};
+
+    use super::super::frame::Beam;
+    use super::super::six::{Six, identity, lower_factor, solve_lower};
+    use super::*;
+
+    fn inverse(matrix: &Six) -> Six {
+        let lower = lower_factor(matrix).unwrap();
+        let mut rows = identity().map(|row| row.to_vec());
+        solve_lower(&lower, &mut rows);
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| (0..6).map(|k| rows[k][i] * rows[k][j]).sum())
+        })
+    }
+
+    /// Shifts of a node of a frame under unit forces there, by Gauss on the whole stiffness matrix.
+    fn direct(frame: &Frame, beams: &[Beam], section: Section, node: usize) -> Six {
+        let n = 6 * frame.places.len();
+        let mut rows = vec![vec![0.0; n + 6]; n];
+        for &Beam { from, to, .. } in beams {
+            let [a, b] = [from, to].map(|node| node as usize);
+            let run = frame.places[b] - frame.places[a];
+            let stiff = inverse(&section.flexibility(run));
+            let carried = transport(run);
+            // The beam is strained by how far its end is off where its start carries it.
+            let strain: [[f64; 12]; 6] = std::array::from_fn(|i| {
+                std::array::from_fn(|j| {
+                    if j < 6 { -carried[i][j] } else { f64::from(u8::from(i == j - 6)) }
+                })
+            });
+            let at = |i: usize| if i < 6 { 6 * a + i } else { 6 * b + i - 6 };
+            for i in 0..12 {
+                for j in 0..12 {
+                    for k in 0..6 {
+                        for l in 0..6 {
+                            rows[at(i)][at(j)] += strain[k][i] * stiff[k][l] * strain[l][j];
+                        }
+                    }
+                }
+            }
+        }
+        let touched = |node: usize| {
+            beams.iter().any(|beam| beam.from as usize == node || beam.to as usize == node)
+        };
+        for i in (0..n).filter(|i| frame.fixed[i / 6] || !touched(i / 6)) {
+            rows[i].fill(0.0);
+            rows.iter_mut().for_each(|row| row[i] = 0.0);
+            rows[i][i] = 1.0;
+        }
+        for k in 0..6 {
+            rows[6 * node + k][n + k] = 1.0;
+        }
+        for column in 0..n {
+            let best = (column..n)
+                .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
+            rows.swap(column, best.unwrap());
+            let pivot = rows[column].clone();
+            for (i, row) in rows.iter_mut().enumerate() {
+                let factor = row[column] / pivot[column];
+                if i != column && factor != 0.0 {
+                    row.iter_mut().zip(&pivot).for_each(|(value, pivot)| *value -= factor * pivot);
+                }
+            }
+        }
+        std::array::from_fn(|i| {
+            let row = &rows[6 * node + i];
+            std::array::from_fn(|j| row[n + j] / row[6 * node + i])
+        })
+    }
+
+    /// A ring of posts on the bed with a zigzag, `levels` high; contours are closed.
+    fn tower(levels: u32, corners: u32) -> Frame {
+        let mut frame = Frame::default();
+        let node = |level: u32, corner: u32| level * corners + corner % corners;
+        for level in 0..=levels {
+            for corner in 0..corners {
+                let around = std::f64::consts::TAU * f64::from(corner) / f64::from(corners);
+                let radius = 10.0 + 2.0 * f64::from(level % 2);
+                let place =
+                    dvec3(radius * around.cos(), radius * around.sin(), 5.0 * f64::from(level));
+                frame.places.push(place);
+                frame.fixed.push(level == 0);
+            }
+        }
+        let mut strand = |from: u32, to: u32| {
+            let strand = frame.ends.len() as u32;
+            frame.beams.push(Beam { from, to, strand });
+            frame.ends.push(Some([from, to]));
+        };
+        for level in 0..levels {
+            for corner in 0..corners {
+                strand(node(level, corner), node(level + 1, corner));
+                if corner + 1 < corners {
+                    strand(node(level + 1, corner), node(level, corner + 1));
+                }
+            }
+            for corner in 0..corners {
+                strand(node(level + 1, corner), node(level + 1, corner + 1));
+            }
+        }
+        frame
+    }
+
+    fn grow_all(frame: &Frame, section: Section, mut free: impl FnMut(usize, f64)) {
+        let told = |laid: Laid| laid.tip.into_iter().for_each(|tip| free(laid.strand, tip));
+        assert!(grow(frame, section, f64::INFINITY, told).unwrap());
+    }
+
+    #[test]
+    fn a_single_post_gives_way_as_a_cantilever() {
+        let mut frame = tower(1, 3);
+        frame.beams.truncate(1);
+        frame.places[3] = frame.places[0] + 6.0 * DVec3::Z;
+        let mut found = Vec::new();
+        let section = Section::new(0.7, 2200.0);
+        grow_all(&frame, section, |strand, c| found.push((strand, c)));
+        let moment = std::f64::consts::PI * 0.7_f64.powi(4) / 64.0;
+        let expected = 6.0_f64.powi(3) / (3.0 * 2200.0 * moment);
+        assert_eq!(found.len(), 1);
+        assert!((found[0].1 / expected - 1.0).abs() < 1e-12, "{found:?} {expected}");
+    }
+
+    #[test]
+    fn every_peak_gives_way_as_the_frame_up_to_it_does() {
+        let section = Section::new(0.7, 2200.0);
+        for (levels, corners) in [(1, 4), (3, 5), (5, 3)] {
+            let frame = tower(levels, corners);
+            let mut found = Vec::new();
+            grow_all(&frame, section, |strand, c| found.push((strand, c)));
+            assert_eq!(found.len() as u32, levels * corners, "each post ends freely");
+            for (strand, compliance) in found {
+                let end = frame.ends[strand].unwrap()[1] as usize;
+                let laid = &frame.beams[..=strand];
+                let expected = greatest_of_shifts(&direct(&frame, laid, section, end));
+                assert!((compliance / expected - 1.0).abs() < 1e-8, "{compliance} {expected}");
+            }
+        }
+    }
+
+    /// Many loops close at once here, and many nodes go while loops wait.
+    #[test]
+    fn a_wide_front_gives_way_as_the_frame_up_to_it_does() {
+        let section = Section::new(0.4, 3300.0);
+        let frame = tower(2, 24);
+        let mut found = Vec::new();
+        grow_all(&frame, section, |strand, c| found.push((strand, c)));
+        for &(strand, compliance) in found.iter().step_by(9) {
+            let end = frame.ends[strand].unwrap()[1] as usize;
+            let laid = &frame.beams[..=strand];
+            let expected = greatest_of_shifts(&direct(&frame, laid, section, end));
+            assert!((compliance / expected - 1.0).abs() < 1e-8, "{compliance} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_tall_tower_loses_no_digits() {
+        let frame = tower(60, 4);
+        let mut found = Vec::new();
+        let section = Section::new(0.7, 2200.0);
+        grow_all(&frame, section, |_, compliance| found.push(compliance));
+        assert_eq!(found.len(), 240);
+        assert!(found.iter().all(|c| c.is_finite() && *c > 0.0));
+        // What stands on a taller tower gives way more.
+        let first_of = |level: usize| found[4 * level];
+        assert!((1..29).all(|level| first_of(2 * level) < first_of(2 * level + 2)));
+    }
+
+    #[test]
+    fn work_grows_with_the_strands_and_with_the_square_of_what_is_open() {
+        let work = |levels, corners| {
+            let frame = tower(levels, corners);
+            Opening::of(&frame).effort(&frame).work
+        };
+        assert!((work(40, 6) / work(20, 6) - 2.0).abs() < 0.1);
+        assert!(work(20, 12) > 6.0 * work(20, 6));
+    }
+}
