@@ -61,3 +61,13 @@ def test_curas_prints_are_judged_at_either_angle(tmp_path):
     assert len(cubes) == 2
     assert all(int(row[1]) > 0 for row in cubes)
     assert [line for line in lines if line.startswith("## ")] == ["## 45°", "## 32°"]
+
+
+def test_the_printers_have_a_row_each_with_a_time_for_each_thing(tmp_path):
+    target = tmp_path / "printers.md"
+    command = [sys.executable, BENCHES / "printers.py", "-o", target, "--only", "kossel-mini"]
+    subprocess.run([*command, "--nozzles", "0.4"], check=True, capture_output=True)
+    rows = [cells(line) for line in target.read_text().splitlines() if line.startswith("|")]
+    (row,) = rows[2:]
+    assert row[0] == "kossel-mini"
+    assert all(":" in time for time in row[2].split("<br>"))

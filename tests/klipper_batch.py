@@ -1,6 +1,19 @@
-"""A printer's configuration for Klipper itself, on its simulated board, and a file run by it."""
+"""A printer's configuration for Klipper itself, on its simulated board, and a file run by it.
 
+WIREPRINT_KLIPPER names a checkout of Klipper with ``out/klipper.dict``, for the Linux process
+(``cp test/configs/linuxprocess.config .config && make olddefconfig && make``), and
+WIREPRINT_KLIPPER_PYTHON, or this Python, has its modules
+(``pip install cffi greenlet jinja2 pyserial msgspec``).
+"""
+
+import os
 import subprocess
+import sys
+from pathlib import Path
+
+CHECKOUT = Path(os.environ.get("WIREPRINT_KLIPPER") or "/nowhere")
+_BOARD = CHECKOUT / "out" / "klipper.dict"
+_PYTHON = os.environ.get("WIREPRINT_KLIPPER_PYTHON", sys.executable)
 
 #: What the makers' own configurations bring.
 MACROS = """
@@ -95,12 +108,20 @@ def configuration(printer, folder):
     )
 
 
-def carried_out(printer, gcode, folder, klipper, board, python):
-    """Have Klipper carry a file out; return its exit code and what it says."""
+def ready():
+    """Whether there is a Klipper to carry files out."""
+    return _BOARD.is_file()
+
+
+def complaints(printer, gcode, folder):
+    """Have Klipper carry a file out in an empty folder; return what it says against it."""
     (folder / "printer.cfg").write_text(configuration(printer, folder))
     (folder / "print.gcode").write_bytes(gcode)
     log = folder / "klippy.log"
-    call = [python, str(klipper / "klippy" / "klippy.py"), str(folder / "printer.cfg")]
+    call = [_PYTHON, str(CHECKOUT / "klippy" / "klippy.py"), str(folder / "printer.cfg")]
     call += ["-i", str(folder / "print.gcode"), "-o", str(folder / "out"), "-l", str(log)]
-    done = subprocess.run([*call, "-d", str(board)], capture_output=True, timeout=300, check=False)
-    return done.returncode, log.read_text(errors="replace") if log.exists() else str(done.stderr)
+    done = subprocess.run([*call, "-d", str(_BOARD)], capture_output=True, timeout=300, check=False)
+    said = log.read_text(errors="replace") if log.exists() else str(done.stderr)
+    if done.returncode:
+        return [f"Klipper stops with {done.returncode}: {said[-2000:]}"]
+    return [line for line in said.splitlines() if "Unknown command" in line]

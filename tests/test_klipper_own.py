@@ -1,16 +1,10 @@
 """Klipper itself: its configurations read by us and by it, and our files carried out by it.
 
-WIREPRINT_KLIPPER names a checkout of Klipper; without one this is skipped. Files are carried out in
-batch mode where its ``out/klipper.dict`` is there, too, for the Linux process
-(``cp test/configs/linuxprocess.config .config && make olddefconfig && make``), and
-WIREPRINT_KLIPPER_PYTHON, or this Python, has its modules
-(``pip install cffi greenlet jinja2 pyserial msgspec``).
+Both are skipped without a checkout, see `klipper_batch`.
 """
 
 import importlib
-import os
 import sys
-from pathlib import Path
 
 import pytest
 
@@ -19,10 +13,7 @@ import wireprint
 from wireprint import catalogue, examples
 from wireprint.importing import imported
 
-KLIPPER = os.environ.get("WIREPRINT_KLIPPER")
-CONFIGS = sorted(Path(KLIPPER or "/nowhere", "config").glob("printer-*.cfg"))
-BOARD = Path(KLIPPER or "/nowhere", "out", "klipper.dict")
-PYTHON = os.environ.get("WIREPRINT_KLIPPER_PYTHON", sys.executable)
+CONFIGS = sorted((klipper_batch.CHECKOUT / "config").glob("printer-*.cfg"))
 #: Section and key of Klipper, and where the figure is in a profile.
 FIGURES = {
     ("printer", "max_velocity"): ("motion", "max_velocity"),
@@ -39,7 +30,7 @@ FIGURES = {
 @pytest.fixture(scope="module")
 def parser():
     """Klipper's reader of configurations."""
-    folder = str(Path(KLIPPER or "/nowhere", "klippy"))
+    folder = str(klipper_batch.CHECKOUT / "klippy")
     sys.path.insert(0, folder)
     try:
         yield importlib.import_module("configfile").ConfigFileReader()
@@ -60,7 +51,7 @@ def test_figures_are_those_that_klipper_reads(parser, path):
     assert told >= 4
 
 
-@pytest.mark.skipif(not BOARD.is_file(), reason="WIREPRINT_KLIPPER has no out/klipper.dict")
+@pytest.mark.skipif(not klipper_batch.ready(), reason="no built Klipper")
 @pytest.mark.parametrize("name", catalogue.names("printers"))
 @pytest.mark.parametrize("model", ["cube", "bottle"])
 def test_klipper_carries_out_what_is_written_for_its_printers(name, model, tmp_path):
@@ -70,8 +61,4 @@ def test_klipper_carries_out_what_is_written_for_its_printers(name, model, tmp_p
     (tmp_path / "model.stl").write_bytes(examples.stl(model))
     mesh = wireprint.load_mesh(tmp_path / "model.stl", height_mm=28)
     made = wireprint.make(mesh, settings, compare=False)
-    code, log = klipper_batch.carried_out(
-        settings.printer, made.gcode, tmp_path, Path(KLIPPER), BOARD, PYTHON
-    )
-    assert code == 0, log[-2000:]
-    assert "Unknown command" not in log
+    assert klipper_batch.complaints(settings.printer, made.gcode, tmp_path) == []

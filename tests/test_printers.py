@@ -1,53 +1,26 @@
 """Each printer of the package: what it prints, what its firmware is told, what it shows."""
 
-import base64
 import io
 import re
 from functools import cache
 
-import numpy as np
 import pytest
-import trimesh
-from PIL import Image
 
+import everyday
 import wireprint
-from wireprint import Settings, catalogue, examples, limits
+from firmware_words import undocumented
+from print_files import beyond, pictures, wanted
+from wireprint import Settings, catalogue, limits
 from wireprint._core import UnprintableError
 from wireprint.certificate import check
 from wireprint.standing import Standing
 
 PRINTERS = catalogue.names("printers")
-#: What the firmwares document: marlinfw.org/docs/gcode, help.prusa3d.com (G80, R of M109),
-#: docs.duet3d.com, Repetier.ino, klipper3d.org/G-Codes.html; as far as a print needs it.
-COMMON = {"G0", "G1", "G4", "G21", "G28", "G90", "G91", "G92", "M73", "M82", "M83", "M84", "M104"}
-COMMON |= {"M106", "M107", "M109", "M140", "M190", "M400"}
-DOCUMENTED = {
-    "marlin": COMMON | {"G29", "G80", "M17", "M18", "M42", "M201", "M204", "M900"},
-    "reprapfirmware": COMMON | {"G29", "M42", "M201", "M572"},
-    "repetier": COMMON | {"M42", "M201", "M202"},
-    "griffin": COMMON | {"G280", "M42", "T0"},
-    "klipper": (COMMON - {"G29"}) | {"SET_PRESSURE_ADVANCE", "SET_VELOCITY_LIMIT", "SET_PIN"},
-}
-#: Macros that the makers' own configurations bring.
-MACROS = {"PRINT_START", "PRINT_END", "START_PRINT"}
-
-
-def mug_like():
-    """A cup with a wall of 3 mm and a floor, open at its top."""
-    outline = [[0, 0], [24, 0], [26, 45], [23, 45], [21, 3], [0, 3]]
-    solid = trimesh.creation.revolve(np.array(outline, float), sections=48)
-    solid.apply_translation(-solid.bounds.mean(axis=0) * [1, 1, 0])
-    return wireprint.Mesh.from_arrays(np.asarray(solid.vertices), np.asarray(solid.faces))
 
 
 @pytest.fixture(scope="module")
-def models(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("models")
-    found = {"mug": mug_like()}
-    for name, height_mm in (("cube", 28), ("bottle", 100)):
-        (folder / f"{name}.stl").write_bytes(examples.stl(name))
-        found[name] = wireprint.load_mesh(folder / f"{name}.stl", height_mm=height_mm)
-    return found
+def models():
+    return everyday.meshes()
 
 
 @cache
@@ -92,22 +65,26 @@ def test_each_printer_prints_with_each_usual_nozzle(models, printer, nozzle_mm):
 
 
 @pytest.mark.parametrize("printer", PRINTERS)
-def test_its_firmware_documents_every_command(cubes, printer):
-    settings = settings_of(printer)
-    words = set()
-    for line in cubes(printer).splitlines():
-        code = line.partition(";")[0].strip()
-        if code:
-            words.add(re.match(r"[GMT]\d+|[A-Z_]+", code)[0])
-    flavor = settings.printer.gcode.flavor
-    assert words - DOCUMENTED[flavor] - (MACROS if flavor == "klipper" else set()) == set()
+def test_its_firmware_documents_every_command_and_letter(cubes, printer):
+    assert undocumented(cubes(printer), settings_of(printer).printer.gcode.flavor) == set()
+
+
+@pytest.mark.parametrize("flavor", ["marlin", "reprapfirmware", "repetier", "klipper"])
+@pytest.mark.parametrize("cooling", ["fan", "valve"])
+def test_each_firmware_documents_what_any_printer_is_told(models, flavor, cooling):
+    overrides = [f"gcode.flavor={flavor}", f"cooling.method={cooling}", "gcode.start=G28"]
+    overrides += ["gcode.end=M84", "gcode.thumbnails=[]"]
+    overrides += ["cooling.valve_pin=4", "cooling.valve_output=air"]
+    settings = settings_of("prusa-mk4s").but(overrides=overrides)
+    made = wireprint.make(models["cube"], settings, compare=False)
+    assert undocumented(made.gcode.decode(), flavor) == set()
 
 
 @pytest.mark.parametrize("printer", PRINTERS)
-def test_no_move_asks_for_more_than_the_machine_has(cubes, printer):
-    motion = settings_of(printer).printer.motion
-    feeds = re.findall(r"^G[01] .*F([\d.]+)", cubes(printer), re.MULTILINE)
-    assert max(map(float, feeds)) / 60 <= max(motion.max_velocity, motion.max_extrude_only_velocity)
+def test_no_move_asks_for_more_than_the_machine_has(models, printer):
+    settings = settings_of(printer).but(overrides=["gcode.thumbnails=[]"])
+    made = wireprint.make(models["mug"], settings, compare=False)
+    assert beyond(made.gcode.decode(), settings.printer) == []
 
 
 @pytest.mark.parametrize("printer", PRINTERS)
@@ -122,19 +99,9 @@ def test_it_heats_homes_and_cools(cubes, printer):
 
 @pytest.mark.parametrize("printer", PRINTERS)
 def test_its_pictures_are_found_as_its_firmware_looks_for_them(cubes, printer):
-    sizes = settings_of(printer).printer.gcode.thumbnails
-    text = cubes(printer)
-    pattern = r"; thumbnail(|_QOI) begin (\d+)x(\d+) (\d+)\n((?:; \S+\n)+); thumbnail\1 end\n"
-    found = re.findall(pattern, text)
-    assert [(int(w), int(h), *([form[1:]] if form else [])) for form, w, h, _, _ in found] == [
-        tuple(size) for size in sizes
-    ]
-    for form, width, height, length, rows in found:
-        code = rows.replace("; ", "").replace("\n", "")
-        assert len(code) == int(length)
-        image = Image.open(io.BytesIO(base64.b64decode(code, validate=True)))
-        assert (image.format, image.size) == (form[1:] or "PNG", (int(width), int(height)))
-        assert image.convert("RGBA").getextrema()[3][1] > 0
+    found = pictures(cubes(printer))
+    assert [tuple(told) for *told, _ in found] == wanted(settings_of(printer).printer)
+    assert all(image.convert("RGBA").getextrema()[3][1] > 0 for *_, image in found)
 
 
 def test_the_makers_names_lead_to_their_printers():

@@ -80,6 +80,8 @@ struct RoundedMove {
     filament: f64,
     pause_ms: i64,
     air: bool,
+    /// Whether it leads anywhere before its end is rounded.
+    leads_on: bool,
 }
 
 fn step(path: &Toolpath, i: usize) -> Option<RoundedMove> {
@@ -96,6 +98,7 @@ fn step(path: &Toolpath, i: usize) -> Option<RoundedMove> {
         filament,
         pause_ms: units(pause.max(0.0), 3),
         air: *path.air.get(i)?,
+        leads_on: i == 0 || path.to.get(i - 1) != Some(&to),
     })
 }
 
@@ -203,9 +206,15 @@ impl<'a> Writer<'a> {
     /// The move itself, where it moves or feeds anything.
     fn line(&mut self, m: &RoundedMove) {
         self.fed += m.filament;
-        let fed_units = units(self.fed, FEED_DECIMALS);
+        let stays = self.at == Some(m.to);
+        // Fed alone, it would halt the head: what it feeds goes with the next strand.
+        if stays && m.leads_on && is_strand(Some(&m.kind)) {
+            return;
+        }
+        let still = m.filament == 0.0;
+        let fed_units = if still { self.fed_units } else { units(self.fed, FEED_DECIMALS) };
         let feed = fed_units - self.fed_units;
-        if feed == 0 && self.at == Some(m.to) {
+        if feed == 0 && stays {
             return;
         }
         self.out.extend_from_slice(if m.kind == Kind::Travel { b"G0" } else { b"G1" });
@@ -333,6 +342,23 @@ mod tests {
             .map(|feed| feed.parse::<f64>().unwrap())
             .sum();
         assert!((fed - 0.4).abs() < 1e-5, "{fed}");
+    }
+
+    #[test]
+    fn a_strand_that_rounding_leaves_no_length_is_fed_with_the_next() {
+        let mut path = example();
+        path.to.truncate(3);
+        path.kind.truncate(3);
+        path.speed.truncate(3);
+        path.filament.truncate(3);
+        path.pause.truncate(3);
+        path.air.truncate(3);
+        path.slab.truncate(3);
+        push(&mut path, (11.000_2, 2.0, 0.35), Kind::Contour, 0.000_02);
+        push(&mut path, (11.0, 4.0, 0.35), Kind::Travel, 0.0);
+        push(&mut path, (11.0, 6.0, 0.35), Kind::Contour, 0.3);
+        let lines = text(&path, &dialect());
+        assert!(lines.ends_with("G1 X11.000 E1.60000\nG0 Y4.000\nG1 Y6.000 E0.30002\n"), "{lines}");
     }
 
     #[test]
