@@ -55,6 +55,16 @@ def test_a_print_that_gives_way_is_made_stiffer(reed, plain):
     assert again.gcode == made.gcode, "what is told repeats it"
 
 
+def test_strands_are_fed_as_much_as_is_missing_and_little_more(reed, plain):
+    before = simulate(plain.gcode).rules["meets"]
+    kept = frozenset({"wire.slab_max_mm", "wire.low_slabs_mm"})
+    _, _, told = stiffened(reed, plain, None, {"compare": False}, kept=kept)
+    assert [one.partition("=")[0] for one in told.overrides] == ["wire.flow"]
+    assert told.enough
+    assert told.tried <= 2
+    assert before.worst > told.limit_mm >= told.meets_after_mm > 0.7 * told.limit_mm
+
+
 def test_a_print_that_cannot_be_judged_is_never_taken(reed, plain, monkeypatch):
     first = simulate(plain.gcode)
 

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 SPREAD: Final = 2.0
 #: Standard deviations of a calibration that a figure is told within.
 _DEVIATIONS: Final = 2.0
-#: Floating-point operations after which the growing frame is not judged: half a minute of one core.
-MOST_WORK: Final = 5e11
+#: Floating-point operations after which the growing frame is not judged: some 50 s of one core.
+MOST_WORK: Final = 1e12
 #: The modulus falls in the middle of a range that begins at the glass transition, K: the core's.
 _SOFTENS_ABOVE_K: Final = 5.0
 

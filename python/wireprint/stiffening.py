@@ -1,8 +1,9 @@
 """Prints that would give way: made anew with lower slabs or thicker strands, where that pays.
 
 Asked for by a forecast alone. What is tried is made and forecast like any print: lower slabs about
-the places that give way, or below them, or throughout, and strands that are fed more. Of those that
-suffice the quickest is taken, else the one that gives way least.
+the places that give way, or below them, or throughout; and each of these, or the print as it was,
+with strands that are fed as much more as its forecast says is missing. Of those that suffice the
+quickest is taken, else the one that gives way least.
 """
 
 from __future__ import annotations
@@ -29,14 +30,22 @@ if TYPE_CHECKING:
     from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
 
-#: Heights of slabs that are tried, as shares of the greatest.
-_LOWER: Final = (0.75, 0.5)
-#: What strands are fed, as shares of what they are fed now: 14 and 30 % thicker, for which a slow
-#: hot end slows the head.
-_THICKER: Final = (1.3, 1.7)
+#: Heights of slabs that are tried throughout, as shares of the greatest, and in a part of them.
+_LOWER: Final = (0.75, 0.5, 0.35)
+_LOWER_IN_PART: Final = (0.5, 0.35)
+#: A strand that is fed x times as much gives way by x⁻², may by √x, and bears x to the 1.5.
+_GIVES_WAY: Final = 2.5
+_BEARS: Final = 1.5
+#: Fed more than that says: prints differ in more than the strand.
+_MARGIN: Final = 1.03
+#: What strands may be fed, `Wire.flow`; a slow hot end slows the head for it.
+_MOST_FLOW: Final = 3.0
+#: How often what is fed is told anew by the forecast of the print before.
+_ROUNDS: Final = 2
 #: Lower slabs reach so many of the greatest slabs below and above a place.
 _REACH: Final = 1.5
-#: Weaker than so much of what it was is worth a print of its own, if none suffices.
+#: Giving way by so much of what it was is worth a print of its own if none suffices, and so is
+#: feeding by so much of what is fed.
 _WORTH: Final = 0.9
 #: Digits of what is tried, so that `--set` repeats it.
 _DIGITS: Final = 2
@@ -84,12 +93,21 @@ class _Print:
 
     def lacks(self, grip_n: float | None) -> float:
         """Return by what factor it falls short; up to 1: it suffices, as far as it was judged."""
+        return max(self._lacks(grip_n))
+
+    def wants_flow(self, grip_n: float | None) -> float:
+        """Return how many times as much its strands would have to be fed to suffice."""
+        meets, bears = self._lacks(grip_n)
+        times: float = max(meets ** (1 / _GIVES_WAY), bears ** (1 / _BEARS))
+        return _MARGIN * times
+
+    def _lacks(self, grip_n: float | None) -> tuple[float, float]:
         if not self.forecast.core.frame_judged:
-            return math.inf
+            return math.inf, math.inf
         meets = self.meets_mm / (self.forecast.rules["meets"].limit or 1.0)
         if grip_n is None or self.bears_n is None:
-            return meets
-        return max(meets, grip_n / max(self.bears_n, 1e-9))
+            return meets, 0.0
+        return meets, grip_n / max(self.bears_n, 1e-9)
 
 
 def stiffened(
@@ -136,9 +154,25 @@ def stiffened(
             return None
         return _Print(overrides, made, simulate(made.gcode, settings, grip_n))
 
-    ways = [way for way in _ways(first, grip_n) if not any(_key(one) in kept for one in way)]
+    slabs = [way for way in _slabs(first, grip_n) if _key(way) not in kept]
     with ThreadPoolExecutor(workers()) as pool:
-        found = [one for one in pool.map(tried, ways) if one is not None]
+
+        def made_of(ways: list[tuple[str, ...]]) -> list[_Print]:
+            return [one for one in pool.map(tried, ways) if one is not None]
+
+        ways: list[tuple[str, ...]] = [(way,) for way in slabs]
+        found = made_of(ways)
+        bases = [first, *found]
+        for _ in range(0 if "wire.flow" in kept else _ROUNDS):
+            bases = _worth_thickening(bases, found, grip_n)
+            thicker = [_thicker(base, grip_n) for base in bases]
+            bases = made_of(thicker)
+            found += bases
+            ways += thicker
+        best = _best(first, found, grip_n)
+        thinner = [] if "wire.flow" in kept else _thinner(best, grip_n)
+        found += made_of(thinner)
+        ways += thinner
     best = _best(first, found, grip_n)
     told = Stiffened(
         best.overrides,
@@ -164,18 +198,52 @@ def _best(first: _Print, found: list[_Print], grip_n: float | None) -> _Print:
     return least if least.lacks(grip_n) < _WORTH * first.lacks(grip_n) else first
 
 
-def _ways(first: _Print, grip_n: float | None) -> Iterator[tuple[str, ...]]:
-    """Return what is tried: changes, as ``--set`` takes them."""
+def _slabs(first: _Print, grip_n: float | None) -> Iterator[str]:
+    """Return lower slabs that are tried, as ``--set`` takes them."""
     settings = first.made.settings
-    high, flow = settings.slab_max_mm, settings.wire.flow
-    bands = list(_bands(first, grip_n))
-    lower = [max(share * high, settings.slab_min_mm) for share in _LOWER]
-    lower = [most for most in dict.fromkeys(lower) if most < high]
-    slabs = [_set("slab_max_mm", most) for most in lower]
-    slabs += [_set("low_slabs_mm", [*band, most]) for band in bands for most in lower]
-    thicker = [_set("flow", share * flow) for share in _THICKER if share * flow <= 3]
-    yield from ((way,) for way in (*slabs, *thicker))
-    yield from ((one, other) for one in slabs for other in thicker)
+    high, low = settings.slab_max_mm, settings.slab_min_mm
+
+    def lower(shares: tuple[float, ...]) -> list[float]:
+        heights = [max(share * high, low) for share in shares]
+        return [height for height in dict.fromkeys(heights) if height < high]
+
+    yield from (_set("slab_max_mm", most) for most in lower(_LOWER))
+    for band in _bands(first, grip_n):
+        yield from (_set("low_slabs_mm", [*band, most]) for most in lower(_LOWER_IN_PART))
+
+
+def _worth_thickening(
+    bases: list[_Print], found: list[_Print], grip_n: float | None
+) -> list[_Print]:
+    """Return those that fall short and may become the quickest that suffices."""
+    enough = [one.takes_s for one in found if one.lacks(grip_n) <= 1]
+    quickest = min(enough, default=math.inf)
+    short = [base for base in bases if 1 < base.lacks(grip_n) < math.inf]
+    short = [base for base in short if base.made.settings.wire.flow < _MOST_FLOW]
+    if enough:
+        short = [
+            base
+            for base in short
+            if base.takes_s < quickest
+            and base.wants_flow(grip_n) * base.made.settings.wire.flow <= _MOST_FLOW
+        ]
+    return short
+
+
+def _thinner(best: _Print, grip_n: float | None) -> list[tuple[str, ...]]:
+    """Return the changes of a print that suffices with strands that are fed more than it takes."""
+    is_fed_more = any(_key(one) == "wire.flow" for one in best.overrides)
+    if is_fed_more and best.wants_flow(grip_n) < _WORTH:
+        return [_thicker(best, grip_n)]
+    return []
+
+
+def _thicker(base: _Print, grip_n: float | None) -> tuple[str, ...]:
+    """Return its changes, with strands that are fed as much as its forecast asks for."""
+    wanted = base.wants_flow(grip_n) * base.made.settings.wire.flow
+    rounded = math.ceil(wanted * 10**_DIGITS) / 10**_DIGITS
+    others = [one for one in base.overrides if _key(one) != "wire.flow"]
+    return (*others, _set("flow", min(rounded, _MOST_FLOW)))
 
 
 def _bands(first: _Print, grip_n: float | None) -> Iterator[tuple[float, float]]:
