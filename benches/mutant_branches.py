@@ -4,6 +4,8 @@ What `cargo mutants` would change in the text is found in the syntax tree and be
 `if broken(N) { changed } else { original }`, so that many breakages need one build.
 """
 
+import re
+
 import tree_sitter_rust
 from tree_sitter import Language, Parser
 
@@ -19,6 +21,8 @@ pub fn broken(number: u32) -> bool {{
     *CHOSEN.get_or_init(told) == number
 }}
 """
+#: A breakage in the text.
+NUMBER = re.compile(r"\bbroken\((\d+)\)")
 PARSER = Parser(Language(tree_sitter_rust.language()))
 
 
@@ -46,18 +50,24 @@ def branch(tree, mutants):
     return {n: made[n] for n in mutants if n in made}
 
 
-def without(mutants, errors):
-    """Leave out the mutants in whose lines errors lie, given as pairs of path and line."""
+def without(tree, mutants, errors):
+    """Leave out the mutants that do not compile.
 
-    def is_hit(mutant):
-        first, last = mutant["span"]["start"]["line"], mutant["span"]["end"]["line"]
-        near = range(first - 1, last + 2)
-        return any(mutant["file"].endswith(path) and line in near for path, line in errors)
-
-    left = {n: mutant for n, mutant in mutants.items() if not is_hit(mutant)}
-    if len(left) == len(mutants):
-        raise SystemExit(f"errors in no mutant's lines: {sorted(errors)[:5]}")
-    return left
+    `errors` are pairs of a path below `tree`, as `branch` left it, line and column there.
+    """
+    gone = set()
+    for path, line, column in errors:
+        lines = (tree / path).read_text().split("\n")
+        # An error in a constant lies in the question itself.
+        reach = column + len("crate::")
+        before = [at[1] for at in NUMBER.finditer(lines[line - 1]) if at.start() < reach]
+        # A branch comes behind its number, what a `match` lacks before its arms.
+        behind = NUMBER.findall("\n".join([lines[line - 1][column:], *lines[line:]]))
+        arms = [n for n in behind if mutants[int(n)]["genre"] == "MatchArm"]
+        gone |= {int(n) for n in before[-1:] or arms[:1]}
+    if not gone:
+        raise SystemExit(f"errors in no mutant: {sorted(errors)[:5]}")
+    return {n: mutant for n, mutant in mutants.items() if n not in gone}
 
 
 class Branches:
@@ -156,9 +166,11 @@ class Branches:
         if condition is None or condition.type in ("let_chain", "let_condition"):
             return None
         own = self.text(condition)
-        head = text[: text.rindex(own)]
+        # Another breakage of the same guard may stand around it already.
+        head, tail = text[: text.rindex(own)], text[text.rindex(own) + len(own) :]
         always = mutant["replacement"] == "true"
-        return f"{head}({asked} || {own})" if always else f"{head}(!{asked} && ({own}))"
+        changed = f"({asked} || {own})" if always else f"(!{asked} && ({own}))"
+        return head + changed + tail
 
     def FnValue(self, node, text, asked, mutant):  # noqa: N802
         """A function that does nothing but return a value."""

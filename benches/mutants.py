@@ -58,7 +58,7 @@ def copied(folder):
 
 
 def built(folder, target):
-    """Build the tests; their executables by name, or the errors as pairs of path and line."""
+    """Build the tests; their executables by name, or the errors as path, line and column."""
     command = ["cargo", "test", "--no-run", "--profile=ci", "--package=wireprint-core"]
     command += ["--message-format=json", "--lib"]
     command += [f"--test={name}" for name in TESTS if name != "lib"]
@@ -66,7 +66,7 @@ def built(folder, target):
     done = subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.PIPE, text=True)
     told = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
     errors = {
-        (span["file_name"], span["line_start"])
+        (span["file_name"], span["line_start"], span["column_start"])
         for message in told
         if message["reason"] == "compiler-message" and message["message"]["level"] == "error"
         for span in message["message"]["spans"]
@@ -120,7 +120,7 @@ def main():
         if isinstance(tests, dict):
             break
         # What does not compile is no breakage.
-        mutants = mutant_branches.without(mutants, tests)
+        mutants = mutant_branches.without(tree, mutants, tests)
         copied(tree)
     if failed := caught(tests, 0, tree, options.seconds):
         sys.exit(f"{failed} fails with nothing broken")

@@ -5,14 +5,14 @@
 //! to pass through it, and following a loop from face to face clears the bits. All decisions
 //! are made on the vertices' ranks, whole numbers, so the topology is exact.
 
-use std::sync::{Mutex, PoisonError};
-
 use glam::DVec2;
 use rayon::prelude::*;
 
+use super::masks::Masks;
 use super::outlines::Loop;
 use super::plane::Plane;
 use super::ranks::Ranks;
+use super::trace::Trace;
 use crate::mesh::{Mesh, NO_FACE};
 
 /// The corner, or edge, after each one of a triangle.
@@ -111,27 +111,6 @@ fn span(corners: &[u32; 3], ranks: &[u32]) -> (u32, u32) {
     (a.min(b).min(c), a.max(b).max(c))
 }
 
-/// Masks over all faces, zero when not in use, handed from task to task.
-struct Masks {
-    idle: Mutex<Vec<Vec<u32>>>,
-    faces: usize,
-}
-
-impl Masks {
-    fn new(faces: usize) -> Self {
-        Self { idle: Mutex::new(Vec::new()), faces }
-    }
-
-    fn take(&self) -> Vec<u32> {
-        let idle = self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        idle.unwrap_or_else(|| vec![0; self.faces])
-    }
-
-    fn put_back(&self, mask: Vec<u32>) {
-        self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(mask);
-    }
-}
-
 /// Neighbouring planes that are cut by one task.
 struct Band<'a> {
     mesh: &'a Mesh,
@@ -167,11 +146,11 @@ impl Band<'_> {
             pending[face as usize] = self.mask(face);
         }
         let mut slices = vec![Vec::new(); self.planes.len()];
-        let mut chain = Chain::default();
+        let mut trace = Trace::default();
         for start in faces {
             while pending[start as usize] != 0 {
                 let plane = pending[start as usize].trailing_zeros();
-                slices[plane as usize].extend(self.follow(start, plane, pending, &mut chain));
+                slices[plane as usize].extend(self.follow(start, plane, pending, &mut trace));
             }
         }
         slices
@@ -191,22 +170,22 @@ impl Band<'_> {
         start: u32,
         plane: u32,
         pending: &mut [u32],
-        chain: &mut Chain,
+        trace: &mut Trace,
     ) -> Option<Loop> {
         let (entry, exit, next) = self.enter_first(start, plane);
         let bit = 1_u32 << plane;
         pending[start as usize] &= !bit;
-        chain.begin(self.point(entry, plane));
-        chain.push(start, self.point(exit, plane));
-        let end = self.walk(exit, next, plane, pending, chain);
+        trace.begin(self.point(entry, plane));
+        trace.push(start, self.point(exit, plane));
+        let end = self.walk(exit, next, plane, pending, trace);
         if end == (start, entry) {
-            return Some(chain.closed(start));
+            return Some(trace.closed(start));
         }
-        let mut front = Chain::default();
+        let mut front = Trace::default();
         front.begin(self.point(entry, plane));
         let behind = self.across(start, entry);
         self.walk(entry, behind, plane, pending, &mut front);
-        chain.open_with(front)
+        trace.open_with(front)
     }
 
     /// Follows the plane from face to face until a border or a face already passed.
@@ -217,13 +196,13 @@ impl Band<'_> {
         mut face: u32,
         plane: u32,
         pending: &mut [u32],
-        chain: &mut Chain,
+        trace: &mut Trace,
     ) -> (u32, Crossing) {
         let bit = 1_u32 << plane;
         while face != NO_FACE && pending[face as usize] & bit != 0 {
             pending[face as usize] &= !bit;
             let (exit, next) = self.pass(face, edge, plane);
-            chain.push(face, self.point(exit, plane));
+            trace.push(face, self.point(exit, plane));
             (edge, face) = (exit, next);
         }
         (face, edge)
@@ -272,46 +251,5 @@ impl Band<'_> {
         }
         let t = (z - below.z) / (above.z - below.z);
         below.truncate() + (above.truncate() - below.truncate()) * t
-    }
-}
-
-/// A polyline in the making; its buffers are reused from loop to loop.
-#[derive(Default)]
-struct Chain {
-    points: Vec<DVec2>,
-    faces: Vec<u32>,
-}
-
-impl Chain {
-    fn begin(&mut self, point: DVec2) {
-        self.points.clear();
-        self.faces.clear();
-        self.points.push(point);
-    }
-
-    /// Adds the segment through `face` to `point`, unless it has no length.
-    fn push(&mut self, face: u32, point: DVec2) {
-        if self.points.last() != Some(&point) {
-            self.points.push(point);
-            self.faces.push(face);
-        }
-    }
-
-    /// The closed loop; the last point is the first again. A loop that is one point keeps a face.
-    fn closed(&mut self, start: u32) -> Loop {
-        if self.faces.is_empty() {
-            self.faces.push(start);
-        } else {
-            self.points.pop();
-        }
-        Loop { points: self.points.clone(), faces: self.faces.clone(), closed: true }
-    }
-
-    /// The open polyline that `front`, followed backwards, leads into; nothing if without length.
-    fn open_with(&self, front: Self) -> Option<Loop> {
-        let points: Vec<DVec2> =
-            front.points.iter().skip(1).rev().chain(&self.points).copied().collect();
-        let faces: Vec<u32> = front.faces.iter().rev().chain(&self.faces).copied().collect();
-        (!faces.is_empty()).then_some(Loop { points, faces, closed: false })
     }
 }

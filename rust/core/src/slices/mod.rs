@@ -7,10 +7,12 @@ pub mod features;
 mod headroom;
 pub mod heights;
 mod level;
+mod masks;
 mod outlines;
 mod plane;
 mod profile;
 mod ranks;
+mod trace;
 mod tuning;
 
 pub use cut::{cut, cut_map};

@@ -191,10 +191,14 @@ const PER_POINT: f64 = 256.0;
 
 /// Refuses slices that there is no memory for.
 fn claim_slices(mesh: &Mesh, levels: &[Level]) -> Result<()> {
-    let points = points(mesh, levels);
-    memory::claim((PER_POINT * points as f64) as u64, || {
+    memory::claim(bytes(points(mesh, levels) as f64, PER_POINT), || {
         format!("{} slices of {} triangles", levels.len(), mesh.faces.len())
     })
+}
+
+/// What so many of something take, if each takes so much, bytes.
+fn bytes(count: f64, each: f64) -> u64 {
+    (count * each) as u64
 }
 
 /// The points of all slices at most: each face gives one to every slice that it crosses, two slices a
@@ -219,7 +223,7 @@ impl Sliced {
     /// [`CoreError::Memory`].
     pub fn claim_strands(&self, strokes: &Strokes) -> Result<()> {
         let strands = self.strands(strokes);
-        memory::claim((PER_STRAND * strands) as u64, || {
+        memory::claim(bytes(strands, PER_STRAND), || {
             format!("a wire print of about {strands:.0} strands")
         })
     }

@@ -125,6 +125,9 @@ fn joists_divide_the_gaps_that_they_lie_in() {
     assert_eq!(places(&gaps, 0), [25.0, 50.0, 75.0]);
     assert_eq!(places(&gaps, 1), [20.0, 40.0, 60.0, 80.0]);
     assert_eq!(places(&gaps[2..], 0), [20.0]);
+    // None where a gap ends: there, something holds its line.
+    assert_eq!(places(&[gap(25.0, 100.0), gap(5.0, 50.0)], 0), [25.0]);
+    assert_eq!(places(&[gap(25.0, 100.0), Gap { level: 5.0, ends: [50.0, 100.0] }], 0), [75.0]);
     // None where no gap is, and none for gaps of lines that do not cross it.
     assert!(places(&[gap(5.0, 30.0)], 0).is_empty());
     assert!(places(&[gap(25.0, 100.0)], 0).is_empty());

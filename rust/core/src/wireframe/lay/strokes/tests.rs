@@ -88,3 +88,46 @@ fn what_the_head_cannot_reach_is_left_out_and_the_next_diagonal_comes_from_the_l
     });
     assert_eq!((strands[1].from, strands[1].to), (own(0).1, own(2).0));
 }
+
+#[test]
+fn a_stroke_as_long_as_the_strand_is_thick_needs_no_pause_and_one_half_as_long_is_printed() {
+    let scene = Scene::slab(5.0, &[]);
+    let told = |heights: &[f64]| {
+        let post = |(i, &height): (usize, &f64)| {
+            let base = DVec3::X * (20.0 * i as f64);
+            let post = Post { base, peak: base + DVec3::Z * height, s: base.x };
+            ZigzagStep { post, linked: true }
+        };
+        let steps: Vec<ZigzagStep> = heights.iter().enumerate().map(post).collect();
+        scene.ask(|_, journal| {
+            zigzag_strokes(journal, &steps, Kind::Post, Kind::Diagonal, 65.0);
+            let strands = journal.entries().strands.iter();
+            strands.map(|s| (s.kind, s.floating)).collect::<Vec<_>>()
+        })
+    };
+    assert_eq!(told(&[2.0 * TOUCH]), [(Kind::Post, false)]);
+    assert_eq!(told(&[TOUCH]), [(Kind::Post, false)]);
+    // From a post that touches to one that does, and from one that does not.
+    let down = (Kind::Diagonal, false);
+    assert_eq!(told(&[TOUCH, 0.0]), [(Kind::Post, false), down]);
+    assert_eq!(told(&[0.0, 0.0]), []);
+    assert_eq!(told(&[0.0, TOUCH]), [down, (Kind::Post, false)]);
+}
+
+#[test]
+fn a_stroke_may_hang_for_just_so_long() {
+    let scene = Scene::slab(5.0, &[]);
+    // Nothing holds a peak yet: 9 mm up and 41 mm down, over 40 mm.
+    let step = |base: DVec3, high: f64| {
+        let post = Post { base, peak: base + DVec3::Z * high, s: base.x };
+        ZigzagStep { post, linked: true }
+    };
+    let steps = [step(DVec3::ZERO, 9.0), step(DVec3::X * 40.0, 9.0)];
+    let strands = |longest: f64| {
+        scene.ask(|_, journal| {
+            zigzag_strokes(journal, &steps, Kind::Post, Kind::Diagonal, longest);
+            journal.entries().strands.len()
+        })
+    };
+    assert_eq!((strands(50.0), strands(49.9)), (3, 2));
+}

@@ -119,3 +119,27 @@ fn what_another_part_of_the_rim_lies_nearer_to_is_no_place() {
     let all = listed(&line, from(0.0), &below, 5.0, false);
     assert!(all.iter().all(|c| c[2] == 1.0 && c[0] != 17.0), "{all:?}");
 }
+
+#[test]
+fn a_corner_turns_within_ten_sevenths_of_a_strand() {
+    // A corner cut off in four: it turns by a right angle over 1.6 mm, by no corner's over 1.
+    let cut = |round: f64| {
+        let turn = (0..=8).map(|i| (f64::from(i) * 11.25_f64).to_radians());
+        let bend = turn.map(|t| DVec2::new(20.0 + round * t.sin(), round * (1.0 - t.cos())));
+        let ends = [DVec2::ZERO, DVec2::new(20.0 + round, 30.0)];
+        let all: Vec<DVec2> = [ends[0]].into_iter().chain(bend).chain([ends[1]]).collect();
+        Curve::new(&all, false).unwrap()
+    };
+    let bends = |round: f64, strand: f64| {
+        let curve = cut(round);
+        let below = rim(&[(0.0, 0.0), (20.0 + round, 30.0)], false);
+        let all = candidates(&curve, 6.0, from(0.0), &[&below], strand, 400.0, false);
+        // Between both ends, which stand on the rim's.
+        all.len() - 2
+    };
+    assert_eq!(bends(0.3, 0.7), 1);
+    assert_eq!(bends(2.0, 0.7), 0);
+    // A strand twice as thick passes twice the rounding.
+    assert_eq!((bends(0.6, 1.4), bends(4.0, 1.4)), (1, 0));
+    assert_eq!((bends(2.0, 2.8), bends(0.6, 0.2)), (1, 0));
+}

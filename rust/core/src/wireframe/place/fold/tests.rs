@@ -158,3 +158,18 @@ fn places_just_within_reach_are_near() {
     let short = line((0.0, 0.0), (1.0, 0.0));
     assert_eq!(share_near(&short, &line((0.0, 2.0), (0.3, 2.0)), 2.0), 3.0 / 8.0);
 }
+
+#[test]
+fn a_side_that_leads_away_from_the_other_makes_no_thin_wall() {
+    // A straight side, all of it near the other one, which goes round a bay on its way.
+    let bay = |deep: f64| {
+        let other = [(40.0, 3.0), (25.0, 3.0), (25.0, deep), (15.0, deep), (15.0, 3.0), (0.0, 3.0)];
+        let outline: Vec<DVec2> =
+            [(0.0, 0.0), (40.0, 0.0)].into_iter().chain(other).map(DVec2::from).collect();
+        let curve = Curve::new(&outline, true).unwrap();
+        let ends = [(0.0, 1.5), (40.0, 1.5)].map(|p| curve.nearest(p.into()).s);
+        let swapped = [ends[1], ends[0]];
+        [ends, swapped].map(|ends| sides(&curve, ends, 3.5).is_some())
+    };
+    assert_eq!((bay(10.0), bay(30.0)), ([true; 2], [false; 2]));
+}

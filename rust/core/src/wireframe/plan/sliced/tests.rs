@@ -74,6 +74,7 @@ fn what_there_is_no_memory_for_is_refused() {
     }
     let error = sliced.claim_strands(&printer.strokes()).unwrap_err().to_string();
     assert!(error.contains("a wire print of about") && error.contains("strands"), "{error}");
+    assert_eq!(bytes(1e6, PER_STRAND), 700_000_000);
 }
 
 #[test]
