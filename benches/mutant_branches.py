@@ -99,7 +99,13 @@ class Branches:
             if node.type in ("let_chain", "const_item", "static_item"):
                 return None
             node = node.parent
-        return node
+        return None if node and self.is_constant(node) else node
+
+    def is_constant(self, node):
+        """Whether a node is part of a constant, which can ask nothing."""
+        while node and node.type not in ("const_item", "static_item"):
+            node = node.parent
+        return node is not None
 
     def byte(self, place):
         """Offset of a line and column, both of which count from 1, columns in characters."""

@@ -296,3 +296,6 @@ fn lap(first: &Place, last: &Place, home: &Home, p: &WeaveParams) -> Option<f64>
     let clear = leads_down(&p.strokes, &first.candidate.post, &last.candidate.post);
     clear.then_some(EVEN * (runs - 1.0).powi(2))
 }
+
+#[cfg(test)]
+mod tests;

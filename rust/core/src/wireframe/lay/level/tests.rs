@@ -1,4 +1,6 @@
-//! Slices of one level upon another: heights, and what is the same curve.
+//! Slices of one level upon another: heights, what is the same curve, and what holds another.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use super::*;
 use crate::wireframe::lay::scene::{Scene, curve, rim, square};
@@ -58,4 +60,34 @@ fn a_ledge_is_carried_by_its_own_rims_and_by_columns() {
         carriers(&ledge, &printed).iter().map(|rim| rim.points[2].x).collect()
     };
     assert_eq!((of(&[0, 1]), of(&[2]), of(&[])), (vec![20.0, 3.0], vec![9.0, 3.0], vec![3.0]));
+}
+
+/// What a ring of 10 mm becomes on a level, on a printed one of 14 mm: the strands by kind, and whether the
+/// bed carries it.
+fn risen(level: usize, number: usize) -> Option<(usize, usize, bool)> {
+    let (wide, narrow) = (square(14.0), square(10.0));
+    let mut scene = Scene::slab(5.0, &[]);
+    scene.sliced.lower[1] = vec![wide.clone()];
+    let (below, contours) = ([wide.clone()], [narrow.clone()]);
+    let step = LevelStep { level, number, below: &below, contours: &contours, ledges: &[] };
+    let ledge = Strip { lower: vec![0], upper: vec![0], plan: 384.0, ..Strip::default() };
+    scene.ask(|cx, journal| {
+        let below = rim(&wide, height(cx, &step));
+        let mut printed = Ground { rims: vec![Some(below)], lines: Vec::new() };
+        let own = (0, &curve(&narrow));
+        let found = rise(cx, journal, &step, &ledge, own, &Carried::default(), &mut printed)?;
+        let of = |kind: Kind| journal.entries().strands.iter().filter(|s| s.kind == kind).count();
+        Some((of(Kind::Cap), of(Kind::Contour), found.held))
+    })
+}
+
+#[test]
+fn what_lies_no_higher_than_a_strand_over_the_bed_is_pressed_onto_it_and_the_rest_held_by_strokes()
+{
+    assert_eq!(risen(0, 1), Some((0, 4, true)));
+    // The third slice lies 0.91 mm high, as do all on levels above.
+    for (level, number) in [(0, 2), (1, 0), (1, 1)] {
+        let (caps, contours, held) = risen(level, number).unwrap();
+        assert!(caps > 4 && contours >= 4 && !held, "{level} {number}: {caps} {contours}");
+    }
 }
