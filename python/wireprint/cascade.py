@@ -113,9 +113,13 @@ class _Piece:
 
 def _near(ends: Floats, dropped: list[int], reach_mm: float) -> Ints:
     """Return the strands whose boxes come within a distance of those of others, ascending."""
-    low, high = ends.min(axis=1), ends.max(axis=1)
-    near = np.zeros(len(ends), np.bool_)
-    for number in dropped:
-        above = (high >= low[number] - reach_mm).all(axis=1)
-        near |= above & (low <= high[number] + reach_mm).all(axis=1)
-    return np.flatnonzero(near)
+    low, high = ends.min(axis=1) - reach_mm, ends.max(axis=1) + reach_mm
+    begin, end = low[dropped] + reach_mm, high[dropped] - reach_mm
+    # Those that are left out stand together: few strands near to one are not near to those before.
+    rest = np.flatnonzero(((low <= end.max(axis=0)) & (high >= begin.min(axis=0))).all(axis=1))
+    found = []
+    for first, last in zip(begin, end, strict=True):
+        near = ((low[rest] <= last) & (high[rest] >= first)).all(axis=1)
+        found.append(rest[near])
+        rest = rest[~near]
+    return np.sort(np.concatenate(found))

@@ -14,7 +14,7 @@ from wireprint.stages import origin_mm, toolpath
 from wireprint.verdict import Point, Span
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     import numpy.typing as npt
 
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
     from wireprint.standing import Standing
+
+    Floats = npt.NDArray[np.float64]
 
 #: Most prints that are tried: what hangs on something that was dropped falls in the next round.
 ROUNDS: Final = 100
@@ -49,6 +51,8 @@ def mended(
     at_mm: Point = (0.0, 0.0, 0.0),
     rounds: int = ROUNDS,
     most_mm: float = math.inf,
+    judge: Callable[[Wireframe], Certificate] | None = None,
+    on_round: Callable[[], None] = lambda: None,
 ) -> Wireframe | None:
     """Leave out of a print the strands that break the rules, and what would hang on them.
 
@@ -66,6 +70,10 @@ def mended(
         Most prints that are tried.
     most_mm
         Length of strands that may be left out, mm.
+    judge
+        Gives the verdict on a whole print; default: by its moves alone, without a header.
+    on_round
+        Called before each print that is tried; it may raise to give up.
 
     Returns
     -------
@@ -82,6 +90,7 @@ def mended(
         return check(text, settings, standing=standing)
 
     def to_blame(piece: Wireframe) -> list[int]:
+        on_round()
         # G-code without a strand is nothing to judge.
         return _blamed(piece, judged(piece), origin) if piece.strand_count else []
 
@@ -96,11 +105,13 @@ def mended(
         number += 1
         dropped, fell = falling(strands, dropped, strand_mm, to_blame, rounds - number)
         number += fell
+        if fell and number == rounds:
+            return None
         most_mm -= _length_mm(strands.strands[dropped])
         if most_mm < 0 or len(dropped) == strands.strand_count:
             return None
         strands = strands.without(dropped, strand_mm)
-        certificate = judged(strands)
+        certificate = (judge or judged)(strands)
         if certificate.ok:
             return strands
     return None
@@ -108,12 +119,12 @@ def mended(
 
 def _blamed(strands: Wireframe, certificate: Certificate, origin: Point) -> list[int]:
     """Return the numbers of the strands that are to blame, ascending."""
-    own = strands.strands
-    numbers = (_number(own, ends) for ends in _faulty(certificate, origin))
-    return sorted({number for number in numbers if number is not None})
+    faulty = np.array(_faulty(certificate, origin)).reshape(-1, 2, 3)
+    numbers: list[int] = np.unique(strands.holding(faulty, _RESOLVED_MM)).tolist()
+    return [number for number in numbers if number >= 0]
 
 
-def _faulty(certificate: Certificate, origin: Point) -> list[npt.NDArray[np.float64]]:
+def _faulty(certificate: Certificate, origin: Point) -> list[Floats]:
     """Return the ends of the file's strands that are to blame, mm, from the print's origin.
 
     A breach is put down to the strand of its line, or to the next one where the head only comes
@@ -133,9 +144,7 @@ def _faulty(certificate: Certificate, origin: Point) -> list[npt.NDArray[np.floa
     return found
 
 
-def _before(
-    laid: npt.NDArray[np.float64], number: int, held_mm: tuple[float, float, float]
-) -> Iterator[npt.NDArray[np.float64]]:
+def _before(laid: Floats, number: int, held_mm: tuple[float, float, float]) -> Iterator[Floats]:
     """Walk back along a chain as far as where it was held last."""
     while number > 0 and _off(laid[number], np.array(held_mm)) > _RESOLVED_MM:
         if not np.array_equal(laid[number - 1][1], laid[number][0]):
@@ -144,20 +153,11 @@ def _before(
         yield laid[number]
 
 
-def _number(own: npt.NDArray[np.float64], ends: npt.NDArray[np.float64]) -> int | None:
-    """Return which of a print's strands this one of its file is, or is a part of."""
-    off = np.maximum(_off(own, ends[0]), _off(own, ends[1]))
-    best = int(np.argmin(off)) if len(off) else None
-    return best if best is not None and off[best] <= _RESOLVED_MM else None
-
-
-def _length_mm(ends: npt.NDArray[np.float64]) -> float:
+def _length_mm(ends: Floats) -> float:
     return float(np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
 
 
-def _off(
-    strands: npt.NDArray[np.float64], place: npt.NDArray[np.float64]
-) -> npt.NDArray[np.float64]:
+def _off(strands: Floats, place: Floats) -> Floats:
     """Return how far a place is off each strand of (…, 2, 3), mm."""
     start, run = strands[..., 0, :], strands[..., 1, :] - strands[..., 0, :]
     length2 = np.sum(run**2, axis=-1)

@@ -180,17 +180,28 @@ def test_a_print_is_given_up_between_the_steps_of_its_regions(cube):
     class NotWantedError(Exception):
         pass
 
-    steps = []
+    mesh, region = load_mesh(cube), Region().add(ZRange(low_mm=10, high_mm=16))
 
-    def give_up(name):
-        steps.append(name)
-        if name.startswith("proof"):
-            raise NotWantedError
+    def steps_until(last):
+        steps = []
 
-    region = Region().add(ZRange(low_mm=10, high_mm=16))
-    with pytest.raises(NotWantedError):
-        make(load_mesh(cube), Settings.load(), region, clock=Clock(on_step=give_up))
-    assert steps == ["marks", "layers, round 1", "wire beside layers, round 1", "proof, round 1"]
+        def step(name):
+            steps.append(name)
+            if name == last:
+                raise NotWantedError
+
+        try:
+            make(mesh, Settings.load(), region, clock=Clock(on_step=step))
+        except NotWantedError:
+            assert steps[-1] == last
+        return steps
+
+    steps = steps_until(None)
+    assert steps[:3] == ["marks", "layers, round 1", "walls"]
+    assert steps[-2:] == ["wire beside layers, round 1", "proof, round 1"]
+    assert len(set(steps)) > 8
+    for name in set(steps):
+        assert steps_until(name) == steps[: steps.index(name) + 1]
 
 
 def test_a_slow_print_tells_what_it_is_at_until_it_is_shown(talk, monkeypatch):

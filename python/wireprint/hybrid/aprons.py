@@ -17,6 +17,8 @@ from wireprint.hybrid.group import Group
 from wireprint.layerwise.areas import Geometries, buffered
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy.typing as npt
 
     from wireprint.hybrid.cut import Cut
@@ -41,7 +43,12 @@ _SHORTEST = 1.0
 
 
 def aprons(
-    cut: Cut, areas: Geometries, outer: Geometries, walls: Geometries, recipe: Recipe
+    cut: Cut,
+    areas: Geometries,
+    outer: Geometries,
+    walls: Geometries,
+    recipe: Recipe,
+    on_step: Callable[[str], None],
 ) -> list[Group]:
     """Lay strands from the rims below towards outer walls that nothing else holds.
 
@@ -55,6 +62,8 @@ def aprons(
         The centre lines of the outer walls on each layer, and of all walls, shape (K,).
     recipe
         Widths.
+    on_step
+        Called before each row of strands; it may raise to give up.
     """
     step_mm = _TOUCH * np.sqrt(np.maximum(recipe.width_mm**2 - cut.thickness**2, 0.0))
     layers = 1 + np.flatnonzero(~shapely.is_empty(outer[1:]) & (step_mm[1:] > 0))
@@ -89,6 +98,7 @@ def aprons(
     room = shapely.difference(room, buffered(walls[layers], _DOUBLE * step))
     groups = []
     for number in range(1, _MOST + 1):
+        on_step("what leads up to walls")
         aside = first + (number - 1) * step
         sides = [shapely.boundary(buffered(below, way * aside)) for way in (1, -1)]
         strings = shapely.intersection(shapely.union(*sides), room)

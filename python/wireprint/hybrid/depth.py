@@ -12,6 +12,8 @@ from wireprint.hybrid.bridges import bridged
 from wireprint.layerwise.areas import Geometries, buffered, islands, offset
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy.typing as npt
     from shapely import Geometry
 
@@ -66,6 +68,7 @@ def depth(
     ground: Geometries,
     walls: Geometries,
     recipe: Recipe,
+    on_step: Callable[[str], None],
 ) -> Depth:
     """Find what of the inside of a region can be printed, from the bed up.
 
@@ -81,6 +84,8 @@ def depth(
         Centre lines of the innermost walls, shape (K,).
     recipe
         Widths.
+    on_step
+        Called before each layer; it may raise to give up.
 
     Notes
     -----
@@ -92,6 +97,7 @@ def depth(
     filled: Geometries = np.full(len(marked), _EMPTY, dtype=object)
     turn = np.full(len(marked), np.nan)
     for layer in np.flatnonzero(inside.is_had & ~shapely.is_empty(clear)).tolist():
+        on_step("fill over fill")
         below = filled[layer - 1] if layer else _EMPTY
         solid = buffered(shapely.union(below, ground[layer]), LEAN * recipe.width_mm)
         held = shapely.intersection(clear[layer], shapely.union(solid, beside[layer]))

@@ -12,6 +12,8 @@ from wireprint.hybrid.depth import LEAN, wide, with_bridges
 from wireprint.layerwise.areas import Geometries, buffered, offset
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy.typing as npt
 
     from wireprint.hybrid.depth import Inside
@@ -37,7 +39,13 @@ class Floors:
     is_open: Bools
 
 
-def floors(solid: Geometries, inside: Inside, walls_mm: float, recipe: Recipe) -> Floors:
+def floors(
+    solid: Geometries,
+    inside: Inside,
+    walls_mm: float,
+    recipe: Recipe,
+    on_step: Callable[[str], None],
+) -> Floors:
     """Find what of islands can be filled, from the bed up.
 
     Parameters
@@ -50,6 +58,8 @@ def floors(solid: Geometries, inside: Inside, walls_mm: float, recipe: Recipe) -
         From the contour to the centre of the innermost wall, mm. Walls stand on wire.
     recipe
         Widths.
+    on_step
+        Called before each layer; it may raise to give up.
 
     Notes
     -----
@@ -65,6 +75,7 @@ def floors(solid: Geometries, inside: Inside, walls_mm: float, recipe: Recipe) -
     for layer in np.flatnonzero(there & inside.is_had).tolist():
         if not (wants[layer] or (layer and is_open[layer - 1])):
             continue
+        on_step("floors")
         below = firm[layer - 1] if layer else inside.bed
         room = offset(solid[[layer]], -walls_mm - recipe.spacing_mm)[0]
         walls = shapely.difference(solid[layer], room)

@@ -21,6 +21,8 @@ from wireprint.layerwise.shells import split
 from wireprint.layerwise.walls import walls
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy.typing as npt
 
     from wireprint.hybrid.cut import Cut, Samples
@@ -69,7 +71,9 @@ class Laid:
         return found
 
 
-def lay(sketch: Sketch, runs: Runs, inside: Inside, inset_mm: float) -> Laid:
+def lay(
+    sketch: Sketch, runs: Runs, inside: Inside, inset_mm: float, on_step: Callable[[str], None]
+) -> Laid:
     """Lay the lines of all runs and bring them into printing order.
 
     The outer walls are group 0, all that lies behind them is group 1.
@@ -84,28 +88,32 @@ def lay(sketch: Sketch, runs: Runs, inside: Inside, inset_mm: float) -> Laid:
         What of the region lies behind the surface.
     inset_mm
         From the model's surface to the centre of the outer wall, mm.
+    on_step
+        Called before each step with its name; it may raise to give up.
     """
     cut, samples, recipe, areas = sketch.cut, sketch.samples, sketch.recipe, sketch.areas
     whole = _whole_contours(cut, samples, runs)
     filled = _in_whole_islands(cut, whole)
     painted = (runs.of_sample >= 0) & ~filled[samples.contour]
+    on_step("walls")
     edge = fringe(cut, samples, painted, areas, recipe, inset_mm)
     solid = of_contours(cut, filled, recipe.resolution_mm)
     walls_mm = inset_mm + max(recipe.perimeters - 1, 0) * recipe.spacing_mm
-    floor = floors(solid, inside, walls_mm, recipe)
-    deep = _depth(areas, floor.firm, edge, inside, recipe)
+    floor = floors(solid, inside, walls_mm, recipe, on_step)
+    deep = _depth(areas, floor.firm, edge, inside, recipe, on_step)
     # What carries the fill of the layers above: where there is none, they begin with a floor.
     filled = shapely.union(deep.filled, floor.firm)
     stack = Stack(areas, filled, recipe)
     outer, inner = (shapely.boundary(offset(solid, -mm)) for mm in (inset_mm, walls_mm))
     outer, inner = shapely.union(outer, edge.outer), shapely.union(inner, edge.innermost)
-    groups = [
-        *aprons(cut, areas, outer, shapely.union(outer, inner), recipe),
-        *_islands(solid, floor, stack, inset_mm),
-        *edge.groups,
-        *stack.filled(deep.filled, edge.innermost, deep.turn_rad),
-        *stack.filled(*_left_open(solid, floor, walls_mm)),
-    ]
+    on_step("what leads up to walls")
+    groups = aprons(cut, areas, outer, shapely.union(outer, inner), recipe, on_step)
+    on_step("walls and fill")
+    groups += [*_islands(solid, floor, stack, inset_mm), *edge.groups]
+    on_step("fill behind walls")
+    groups += stack.filled(deep.filled, edge.innermost, deep.turn_rad)
+    groups += stack.filled(*_left_open(solid, floor, walls_mm))
+    on_step("the order of lines")
     groups = [group for group in groups if len(group.lines)]
     route = _routed(groups, cut.z, recipe) if groups else Route.empty()
     return Laid(route, deep, solid, floor, _lids(cut, deep, edge, recipe), walls_mm)
@@ -178,7 +186,12 @@ def _turns(layer: Ints) -> Floats:
 
 
 def _depth(
-    areas: Geometries, solid: Geometries, edge: Fringe, inside: Inside, recipe: Recipe
+    areas: Geometries,
+    solid: Geometries,
+    edge: Fringe,
+    inside: Inside,
+    recipe: Recipe,
+    on_step: Callable[[str], None],
 ) -> Depth:
     """Find what of the inside can be filled; nothing where fill has no density."""
     marked = behind(areas, inside.sections, edge)
@@ -186,7 +199,7 @@ def _depth(
         marked[:] = shapely.MultiPolygon()
     ground: Geometries = np.full(len(areas), inside.bed, dtype=object)
     ground[1:] = solid[:-1]
-    return depth(marked, inside, ground, edge.innermost, recipe)
+    return depth(marked, inside, ground, edge.innermost, recipe, on_step)
 
 
 def _lids(cut: Cut, deep: Depth, edge: Fringe, recipe: Recipe) -> Geometries:

@@ -20,7 +20,7 @@ from wireprint.regions.inside import sections
 from wireprint.stages import line_section_mm2
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     import numpy.typing as npt
 
@@ -124,8 +124,11 @@ class Plan:
     @cached_property
     def _lines(self) -> Laid:
         """All lines, wherever they begin."""
+        return self._lay(lambda _: None)
+
+    def _lay(self, on_step: Callable[[str], None]) -> Laid:
         inset_mm = self.settings.regions.inset * self.sketch.recipe.width_mm
-        return lay(self.sketch, self.runs, self._behind(), inset_mm)
+        return lay(self.sketch, self.runs, self._behind(), inset_mm, on_step)
 
     def _layer_at(self, z: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
         """Return the layers at whose height some places lie, mm."""
@@ -188,8 +191,16 @@ class Plan:
             "lid_offsets": np.concatenate([[0], np.cumsum(sizes)]),
         }
 
-    def layered(self) -> _Layered | None:
-        """Return what the core needs to know; None where nothing is layers."""
+    def layered(self, on_step: Callable[[str], None] = lambda _: None) -> _Layered | None:
+        """Return what the core needs to know; None where nothing is layers.
+
+        Parameters
+        ----------
+        on_step
+            Called before each step of laying the lines with its name; it may raise to give up.
+        """
+        if "_lines" not in vars(self):
+            vars(self)["_lines"] = self._lay(on_step)
         recipe, lines = self.sketch.recipe, self.laid.route
         if not (len(lines.group) or self.flats.marked.any()):
             return None

@@ -139,48 +139,71 @@ def proved(
     """
     mesh, settings = sketch.mesh, sketch.settings
     write = write or partial(file.write, settings=settings)
+
+    def attempt(strands: Wireframe) -> _Attempt:
+        on_step(f"proof, round {rounds}")
+        return _Attempt.at(strands, settings, write)
+
     on_step("marks")
     plan = Plan.of(sketch, region)
     without: Plan | None = None
     for rounds in range(1, _ROUNDS + 1):
         on_step(f"layers, round {rounds}")
-        layered = plan.layered()
+        layered = plan.layered(on_step)
         if layered is None and without is not None:
             plan, without = without, None
-            layered = plan.layered()
+            layered = plan.layered(on_step)
         if layered is None:
             break
         on_step(f"wire beside layers, round {rounds}")
-        strands = wireframe(mesh, settings, layered, plain=sketch.plain)
-        path = toolpath(strands, settings)
-        on_step(f"proof, round {rounds}")
-        written = write(path)
-        verdict = check(written.text, settings)
-        blamed, hollow = _blamed(plan, verdict, settings)
+        first = attempt(wireframe(mesh, settings, layered, plain=sketch.plain))
+        blamed, hollow = _blamed(plan, first.verdict, settings)
         if not (blamed or hollow):
-            return Proved(plan, strands, path, rounds, written, verdict)
-        left = _trimmed(plan, strands, verdict, blamed)
-        if left is not None:
-            lost_mm = _length_mm(strands.strands) - _length_mm(left.strands)
-            path = toolpath(left, settings)
-            written = write(path)
-            verdict = check(written.text, settings)
-            return Proved(plan, left, path, rounds, written, verdict, lost_mm)
-        loose = _loose(strands, verdict, settings)
+            return first.proved(plan, rounds)
+        trimmed = _trimmed(plan, first, blamed, attempt, on_step)
+        if trimmed is not None:
+            lost_mm = _length_mm(first.strands.strands) - _length_mm(trimmed.strands.strands)
+            return trimmed.proved(plan, rounds, lost_mm)
+        loose = _loose(first, settings)
         if rounds == 1 and len(loose):
             plan, without = plan.avoiding(loose), plan.without(blamed, hollow)
             continue
         if rounds == _ROUNDS:
             blamed = dict.fromkeys(range(len(plan.sections)), "unproved") | blamed
         plan, without = without or plan.without(blamed, hollow), None
-    path = toolpath(sketch.plain, settings)
-    written = write(path)
-    return Proved(plan, sketch.plain, path, rounds, written, check(written.text, settings))
+    return attempt(sketch.plain).proved(plan, rounds)
+
+
+@dataclass(frozen=True)
+class _Attempt:
+    """A print that was judged."""
+
+    strands: Wireframe
+    path: Toolpath
+    written: Written
+    verdict: Certificate
+
+    @classmethod
+    def at(
+        cls, strands: Wireframe, settings: Settings, write: Callable[[Toolpath], Written]
+    ) -> _Attempt:
+        """Write strands as a file, and judge it."""
+        path = toolpath(strands, settings)
+        written = write(path)
+        return cls(strands, path, written, check(written.text, settings))
+
+    def proved(self, plan: Plan, rounds: int, trimmed_mm: float = 0.0) -> Proved:
+        """Return it as the answer to a plan."""
+        return Proved(plan, self.strands, self.path, rounds, self.written, self.verdict, trimmed_mm)
 
 
 def _trimmed(
-    plan: Plan, strands: Wireframe, verdict: Certificate, blamed: Mapping[int, str]
-) -> Wireframe | None:
+    plan: Plan,
+    first: _Attempt,
+    blamed: Mapping[int, str],
+    attempt: Callable[[Wireframe], _Attempt],
+    on_step: Callable[[str], None],
+) -> _Attempt | None:
     """Leave out of a print the strands that break the rules, mostly pieces of layers' lines.
 
     None where that does not help, or costs much of what dropping the runs that are to blame would.
@@ -188,15 +211,30 @@ def _trimmed(
     area_mm2 = np.array([run.area_mm2 for run in plan.sections])
     blamed_mm2 = float(area_mm2[list(blamed)].sum())
     at_stake = blamed_mm2 / max(float(area_mm2.sum()), 1e-9) if blamed else 1.0
-    most_mm = _CHEAPER * at_stake * _layers_mm(strands)
-    return mended(strands, verdict, plan.settings, rounds=_MENDINGS, most_mm=most_mm)
+    last = first
+
+    def judge(left: Wireframe) -> Certificate:
+        nonlocal last
+        last = attempt(left)
+        return last.verdict
+
+    left = mended(
+        first.strands,
+        first.verdict,
+        plan.settings,
+        rounds=_MENDINGS,
+        most_mm=_CHEAPER * at_stake * _layers_mm(first.strands),
+        judge=judge,
+        on_round=lambda: on_step("what falls with what breaks a rule"),
+    )
+    return None if left is None else last
 
 
-def _loose(strands: Wireframe, verdict: Certificate, settings: Settings) -> npt.NDArray[np.float64]:
+def _loose(found: _Attempt, settings: Settings) -> npt.NDArray[np.float64]:
     """Return where layers' lines begin or end in the air, shape (P, 3), mm."""
     centre = np.array([*settings.printer.bed.centre_mm, 0.0])
+    strands, breaches = found.strands, found.verdict.breaches()
     ends = strands.strands[np.isin(strands.strand_kinds, _LAYERS)].reshape(-1, 3)
-    breaches = verdict.breaches()
     places = np.array([_at(breach) - centre for name in _LOOSE for breach in breaches[name]])
     places = places.reshape(-1, 3)
     off = [np.min(np.sum((ends - place) ** 2, axis=1), initial=np.inf) for place in places]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use numpy::{PyArray1, PyArray2, PyArray3, PyReadonlyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use wireprint_core::geometry::holding::holding;
 use wireprint_core::head::Head;
 use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::strand::Kind;
@@ -278,6 +279,35 @@ impl Wireframe {
     fn beyond(&self, py: Python<'_>, standing: Vec<usize>) -> PyResult<Self> {
         let core = detached(py, || Ok(self.core.beyond(&standing)))?;
         Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py), bare: None })
+    }
+
+    /// The strand that each of some segments is, or is a part of: its number, (M,) int64; −1 where
+    /// there is none.
+    ///
+    /// Parameters
+    /// ----------
+    /// parts
+    ///     Both ends of each segment, float64 (M, 2, 3), mm.
+    /// `within_mm`
+    ///     How far off the strand both ends may lie, mm.
+    ///
+    /// Raises
+    /// ------
+    /// `SettingError`
+    ///     The array has another shape.
+    fn holding<'py>(
+        &self,
+        py: Python<'py>,
+        parts: PyReadonlyArray3<'py, f64>,
+        within_mm: f64,
+    ) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        let parts = ends(&parts)?;
+        let found = detached(py, || {
+            let strands: Vec<_> = self.core.strands.iter().map(|s| [s.from, s.to]).collect();
+            Ok(holding(&strands, &parts, within_mm))
+        })?;
+        let number = |found: Option<usize>| found.map_or(-1, |number| number as i64);
+        Ok(arrays::vector(py, found.into_iter().map(number).collect()))
     }
 
     /// What is not printed: (reason, lower and upper end mm, area mm², a point on it mm) each.

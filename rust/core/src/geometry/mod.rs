@@ -1,10 +1,11 @@
-//! Plane geometry that every stage shares; it knows of no stage.
+//! Geometry, mostly of the plane, that every stage shares; it knows of no stage.
 
 pub mod cells;
 pub mod curve;
 pub mod disjoint_sets;
 pub mod extents;
 pub mod hatch;
+pub mod holding;
 pub mod layers;
 pub mod nearest;
 pub mod nearest_first;
