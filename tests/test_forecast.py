@@ -92,6 +92,31 @@ def test_air_that_is_on_holds_and_carries():
     assert "no air blows there" in sentences(still)[1]
 
 
+def on_a_bridge(height_mm, pause_s):
+    """A post in the middle of a strand between two tall, cold posts."""
+    up, over = f"G1 Z{height_mm} E{0.16 * height_mm}", f"G0 Z{height_mm + 3}"
+    posts = [up, "G4 P20000", over, "G0 X30", "G0 Z0.35", up, "G4 P20000", "G1 X20 E1.6"]
+    top = ["G4 P20000", over, "G0 X25", f"G0 Z{height_mm}", f"G1 Z{height_mm + 4} E0.64"]
+    return gcode("M42 P6 S255", "G1 X20 E3.2", *posts, *top, f"G4 P{1000 * pause_s:.0f}", "G0 Z40")
+
+
+@pytest.mark.parametrize(
+    ("printed", "blows"),
+    [
+        (lambda pause_s: post(pause_s=pause_s), False),
+        (lambda pause_s: post(pause_s=pause_s, before=["M42 P6 S255"]), True),
+        (lambda pause_s: on_a_bridge(9, pause_s), True),
+    ],
+)
+def test_the_pause_that_is_advised_holds(printed, blows):
+    """Also where the air is never switched on, and on what gives way itself."""
+    told = sentences(simulate(printed(0.2)))[0]
+    advised = float(re.search(r"--pause ([0-9.]+)\)", told)[1])
+    assert ("never blows" in told) != blows
+    assert simulate(printed(0.8 * advised)).rules["holds"].over > 0
+    assert simulate(printed(advised)).rules["holds"].over == 0
+
+
 def test_long_stretches_sag_more_and_the_worst_is_where_it_is():
     sags = [simulate(bridge(length)).rules["sags"] for length in (10, 20, 40)]
     assert sags[0].worst < sags[1].worst < sags[2].worst

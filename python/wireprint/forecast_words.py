@@ -27,6 +27,16 @@ _WHAT: Final = {
 }
 
 
+_NONE: Final = {
+    "holds": "no post ends in the air",
+    "sags": "no stretch hangs in the air",
+    "meets": "no strand ends on another above the bed",
+    "flows": "no stroke is long enough to tell",
+    "knots": "nothing gathers where the head stands",
+    "welds": "no strand is joined to another",
+}
+
+
 def told(forecast: Forecast) -> dict[str, Any]:
     """Return figures and words as values that JSON knows."""
     return forecast.to_dict() | {
@@ -151,14 +161,14 @@ def _why_not(rule: Rule, forecast: Forecast, settings: Settings) -> str:
         return f"not judged: {forecast.ungripped}"
     if rule.name == "meets" and not forecast.core.frame_judged:
         return "not judged: so large a frame would take too much work"
-    return "nothing in this file is concerned"
+    return f"{_NONE[rule.name]} in this file"
 
 
 def _remedy(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     """Say what can be done about a rule that fails."""
     cooling = settings.printer.cooling
     if rule.name == "holds":
-        return _longer_pause(rule, settings)
+        return _longer_pause(rule, forecast, settings)
     if rule.name == "sags":
         if rule.detail == 0 and cooling.method != "none":
             return f"no air blows there: switch it on (cooling.method is {cooling.method})"
@@ -174,27 +184,37 @@ def _remedy(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     )
 
 
-def _longer_pause(rule: Rule, settings: Settings) -> str:
-    if rule.detail > (rule.limit or 0.0):
+def _longer_pause(rule: Rule, forecast: Forecast, settings: Settings) -> str:
+    limit, base = rule.limit or 0.0, rule.detail
+    if base >= limit:
         return "what they stand on gives way, and no pause helps: print lower slabs (--slab-max)"
+    cooling = settings.printer.cooling
+    blows = forecast.core.air_blows
+    # What they stand on gives way by `base`: the less the post itself may, as by a greater pull.
     pause_s = _core.holding_pause(
         matter_of(settings.material, settings.strand_mm),
-        air_mm_s(settings),
+        air_mm_s(settings) if blows else 0.0,
         rule.length_mm,
         settings.print_mm_s,
-        settings.wire.pull_n,
+        settings.wire.pull_n * limit / (limit - base),
         _LONGEST_PAUSE_S,
     )
-    known = settings.calibrated_by()
-    pause_s *= 1.0 if known is None else known.pause_s / settings.solidify_s
-    if rule.over == 0:
-        return (
-            f"a pause of {2 * pause_s:.1f} s would be on the safe side, and wireprint calibrate "
-            "ladder tells the true one"
-        )
     if pause_s >= _LONGEST_PAUSE_S:
         return (
             f"a post of {rule.length_mm:.1f} mm is too soft even when it is cold: print lower "
             "slabs (--slab-max)"
         )
-    return f"pause for {pause_s:.1f} s (--pause {pause_s:.1f}), or let more air blow"
+    known = settings.calibrated_by()
+    pause_s *= 1.0 if known is None or not blows else known.pause_s / settings.solidify_s
+    if blows or cooling.method == "none":
+        more_air = "or let more air blow"
+    else:
+        more_air = f"or switch the air on, which never blows (cooling.method is {cooling.method})"
+    # Up, lest the tenth that is told be a little short.
+    pause_s = math.ceil(10 * pause_s) / 10
+    if rule.over == 0:
+        return (
+            f"a pause of {2 * pause_s:.1f} s would be on the safe side, and wireprint calibrate "
+            "ladder tells the true one"
+        )
+    return f"pause for {pause_s:.1f} s (--pause {pause_s:.1f}), {more_air}"
