@@ -16,6 +16,7 @@ _USE = re.compile(r"(?:^|(?<=[;{}\n\]]))\s*(pub(?:\([^)]*\))?\s+)?use\s+([^;]+);
 _ITEM = re.compile(
     r"\b(?:fn|struct|enum|union|trait|type|const|static|macro_rules!)\s+(?:mut\s+)?([A-Za-z_]\w*)"
 )
+_TYPE = re.compile(r"\b(?:struct|enum|union|trait|type)\s+([A-Z]\w*)\s*[;:<({=]")
 _PATH = re.compile(r"(?<![\w:])[A-Za-z_]\w*(?:\s*::\s*[A-Za-z_]\w*)+")
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
@@ -51,6 +52,22 @@ def imports(root):
         if target != path
     }
     return sorted(edges)
+
+
+def types(root):
+    """The types that each file defines for itself or others, by name, but those of tests."""
+    tests = _test_files(root)
+    found = {}
+    for file in sorted(root.rglob("*.rs")):
+        own = file.relative_to(root)
+        path = _module_path(own)
+        if any(path[: len(test)] == test for test in tests):
+            continue
+        code = _without_tests(_NOISE.sub(" ", file.read_text(encoding="utf-8")))
+        # What a trait or its implementations call `Item` is no type of its own.
+        for name in re.findall(r"^(?:pub(?:\([^)]*\))? )?" + _TYPE.pattern, code, re.MULTILINE):
+            found.setdefault(name, []).append(own.as_posix())
+    return found
 
 
 def read(path, text):

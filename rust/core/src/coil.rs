@@ -136,7 +136,7 @@ impl SmallWalls {
 
 /// Two walls that stand so near each other that the head cannot print the foot of one beside the other.
 #[derive(Debug, Clone, Copy)]
-pub struct Near {
+pub struct NearWalls {
     /// Their numbers.
     pub walls: [usize; 2],
     /// The gap between them, mm.
@@ -145,11 +145,11 @@ pub struct Near {
 
 /// Of walls that could be coiled by themselves, keeps those that others do not keep from it: walls near
 /// each other are all coiled, or none is; and none is where a gap is less than `least` mm.
-pub fn keep_groups(able: &mut [bool], near: &[Near], least: f64) {
-    for &Near { walls: [a, b], .. } in near.iter().filter(|near| near.gap < least) {
+pub fn keep_groups(able: &mut [bool], near: &[NearWalls], least: f64) {
+    for &NearWalls { walls: [a, b], .. } in near.iter().filter(|near| near.gap < least) {
         (able[a], able[b]) = (false, false);
     }
-    while let Some(&Near { walls: [a, b], .. }) =
+    while let Some(&NearWalls { walls: [a, b], .. }) =
         near.iter().find(|near| able[near.walls[0]] != able[near.walls[1]])
     {
         (able[a], able[b]) = (false, false);
@@ -246,8 +246,8 @@ mod tests {
     #[test]
     fn walls_near_each_other_are_coiled_together_or_not_at_all() {
         let kept = |able: &[bool], near: &[(usize, usize, f64)]| {
-            let near: Vec<Near> =
-                near.iter().map(|&(a, b, gap)| Near { walls: [a, b], gap }).collect();
+            let near: Vec<NearWalls> =
+                near.iter().map(|&(a, b, gap)| NearWalls { walls: [a, b], gap }).collect();
             let mut able = able.to_vec();
             keep_groups(&mut able, &near, 1.0);
             able

@@ -8,7 +8,7 @@ use numpy::{
 };
 use pyo3::prelude::*;
 use wireprint_core::geometry::layers::{Asked, Layers};
-use wireprint_core::wireframe::regions::anchor::{self, Layer, Line};
+use wireprint_core::wireframe::regions::anchor::{self, LayerLine, LayerLines};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
@@ -127,13 +127,13 @@ fn segments(name: &str, (array, layers): &Segments<'_>) -> PyResult<Layers> {
 }
 
 /// Lines by layer, as they come.
-fn layered((points, layers, offsets, groups): &Lines<'_>) -> PyResult<Vec<Layer>> {
+fn layered((points, layers, offsets, groups): &Lines<'_>) -> PyResult<Vec<LayerLines>> {
     let points = arrays::read_points("points", points)?;
     let (layers, offsets, groups) = (layers.as_array(), offsets.as_array(), groups.as_array());
     if layers.len() != points.len() || offsets.len() != groups.len() + 1 {
         return Err(unlike("points"));
     }
-    let mut found: Vec<Layer> = Vec::new();
+    let mut found: Vec<LayerLines> = Vec::new();
     for (line, &group) in groups.iter().enumerate() {
         let range =
             usize::try_from(offsets[line]).ok().zip(usize::try_from(offsets[line + 1]).ok());
@@ -141,11 +141,11 @@ fn layered((points, layers, offsets, groups): &Lines<'_>) -> PyResult<Vec<Layer>
         let (own, &number) =
             own.filter(|(own, _)| own.len() > 1).ok_or_else(|| unlike("offsets"))?;
         if found.last().is_none_or(|last| last.number < number) {
-            found.push(Layer { number, lines: Vec::new() });
+            found.push(LayerLines { number, lines: Vec::new() });
         }
         match found.last_mut() {
             Some(last) if last.number == number => {
-                last.lines.push(Line { points: Arc::from(own), group });
+                last.lines.push(LayerLine { points: Arc::from(own), group });
             }
             _ => return Err(unlike("layers")),
         }
@@ -153,7 +153,7 @@ fn layered((points, layers, offsets, groups): &Lines<'_>) -> PyResult<Vec<Layer>
     Ok(found)
 }
 
-fn flat<'py>(py: Python<'py>, layers: &[Layer]) -> PyResult<Route<'py>> {
+fn flat<'py>(py: Python<'py>, layers: &[LayerLines]) -> PyResult<Route<'py>> {
     let lines =
         || layers.iter().flat_map(|layer| layer.lines.iter().map(move |line| (layer, line)));
     let points: Vec<DVec3> = lines().flat_map(|(_, line)| line.points.iter().copied()).collect();

@@ -11,7 +11,7 @@ use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::strand::Kind;
 use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe as core;
-use wireprint_core::wireframe::build::{Bare, build_beside, build_plain};
+use wireprint_core::wireframe::build::{PlainPrint, build_beside, build_plain};
 use wireprint_core::wireframe::frame::Reason;
 use wireprint_core::wireframe::params::WireParams;
 
@@ -33,7 +33,7 @@ pub struct Wireframe {
     core: Arc<core::frame::Wireframe>,
     mesh: Py<Mesh>,
     /// What wire beside layers goes by, kept where there are none yet.
-    bare: Option<Arc<Bare>>,
+    bare: Option<Arc<PlainPrint>>,
 }
 
 impl Wireframe {

@@ -61,7 +61,7 @@ impl PartialEq for Key {
 impl Eq for Key {}
 
 /// A rising run of a ring's points; a single point where the ring encloses nothing.
-pub(super) struct Chain {
+pub(super) struct RisingChain {
     pub ring: u32,
     pub segments: u32,
     /// Whether the ring runs along the chain upwards.
@@ -75,7 +75,7 @@ pub(super) struct Chain {
 
 /// The chains of all rings, and their points in the sweep's coordinates.
 pub(super) struct Chains<'a> {
-    pub list: Vec<Chain>,
+    pub list: Vec<RisingChain>,
     rings: &'a [Ring<'a>],
     /// For each ring: its first place, and which of its points stands there (its lowest one).
     origins: Vec<(u32, u32)>,
@@ -143,7 +143,14 @@ impl<'a> Chains<'a> {
         }
         let up = self.key(ring, begin) <= self.key(ring, end);
         let bottom = if up { begin } else { end };
-        self.list.push(Chain { ring, segments: end - begin, up, leftmost, rightmost, bottom });
+        self.list.push(RisingChain {
+            ring,
+            segments: end - begin,
+            up,
+            leftmost,
+            rightmost,
+            bottom,
+        });
     }
 
     fn point_at(&self, ring: u32, place: u32) -> DVec2 {
@@ -153,41 +160,41 @@ impl<'a> Chains<'a> {
     }
 
     /// Place of a chain's `i`-th point from below.
-    fn place(chain: &Chain, i: u32) -> u32 {
+    fn place(chain: &RisingChain, i: u32) -> u32 {
         if chain.up { chain.bottom + i } else { chain.bottom - i }
     }
 
     /// A chain's `i`-th point from below.
-    pub fn point(&self, chain: &Chain, i: u32) -> DVec2 {
+    pub fn point(&self, chain: &RisingChain, i: u32) -> DVec2 {
         self.point_at(chain.ring, Self::place(chain, i))
     }
 
     /// A chain's `i`-th segment from below; a chain that is a point has that point twice.
-    pub fn segment(&self, chain: &Chain, i: u32) -> (DVec2, DVec2) {
+    pub fn segment(&self, chain: &RisingChain, i: u32) -> (DVec2, DVec2) {
         (self.point(chain, i), self.point(chain, (i + 1).min(chain.segments)))
     }
 
     /// Coordinate along the sweep of a chain's `i`-th point.
-    pub fn along(&self, chain: &Chain, i: u32) -> f64 {
+    pub fn along(&self, chain: &RisingChain, i: u32) -> f64 {
         self.places[Self::place(chain, i) as usize].y
     }
 
     /// How far right a chain's `i`-th segment reaches.
-    pub fn reach_right(&self, chain: &Chain, i: u32) -> f64 {
+    pub fn reach_right(&self, chain: &RisingChain, i: u32) -> f64 {
         self.across(chain, i).max(self.across(chain, i + 1))
     }
 
     /// How far left a chain's `i`-th segment reaches.
-    pub fn reach_left(&self, chain: &Chain, i: u32) -> f64 {
+    pub fn reach_left(&self, chain: &RisingChain, i: u32) -> f64 {
         self.across(chain, i).min(self.across(chain, i + 1))
     }
 
-    fn across(&self, chain: &Chain, i: u32) -> f64 {
+    fn across(&self, chain: &RisingChain, i: u32) -> f64 {
         self.places[Self::place(chain, i) as usize].x
     }
 
     /// The segment of a chain that the sweep line crosses; the upper one at a point.
-    pub fn segment_at(&self, chain: &Chain, along: f64) -> u32 {
+    pub fn segment_at(&self, chain: &RisingChain, along: f64) -> u32 {
         let (mut low, mut high) = (0, chain.segments.saturating_sub(1));
         while low < high {
             let middle = low + (high - low).div_ceil(2);

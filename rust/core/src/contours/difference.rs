@@ -36,12 +36,12 @@ pub struct Difference {
 
 /// The contours that a segment is a part of, of either slice.
 #[derive(Clone, Copy, PartialEq)]
-struct Label {
+struct ContourLabel {
     lower: Option<u32>,
     upper: Option<u32>,
 }
 
-impl OverlayEdgeData for Label {
+impl OverlayEdgeData for ContourLabel {
     type Store = Vec<[u32; 2]>;
 
     fn merge(both: EdgeDataMerge<ShapeCountBoolean, Self>, walls: &mut Self::Store) -> Self {
@@ -55,12 +55,12 @@ impl OverlayEdgeData for Label {
 /// Compares two slices by what an odd number of their closed contours encloses.
 #[must_use]
 pub fn difference(below: &[Contour], above: &[Contour]) -> Difference {
-    let lower = labelled(below, |i| Label { lower: Some(i), upper: None });
-    let upper = labelled(above, |i| Label { lower: None, upper: Some(i) });
+    let lower = labelled(below, |i| ContourLabel { lower: Some(i), upper: None });
+    let upper = labelled(above, |i| ContourLabel { lower: None, upper: Some(i) });
     let count = lower.len();
-    let mut overlay = EdgeOverlay::<i64, Label>::new(count + upper.len());
+    let mut overlay = EdgeOverlay::<i64, ContourLabel>::new(count + upper.len());
     // Both slices' corners bend both slices' walls.
-    let edges: Vec<Edge<Label>> = lower.into_iter().chain(upper).collect();
+    let edges: Vec<Edge<ContourLabel>> = lower.into_iter().chain(upper).collect();
     for edge in bent(&edges) {
         let of = if edge.data.lower.is_some() { ShapeType::Subject } else { ShapeType::Clip };
         overlay.add_edge(edge, of);
@@ -70,7 +70,7 @@ pub fn difference(below: &[Contour], above: &[Contour]) -> Difference {
     for (rule, sign) in rules {
         for shape in overlay.build_vector_shapes(rule, FillRule::EvenOdd) {
             let labels = || shape.iter().flatten().map(|edge| edge.data);
-            let area = |path: &DataVectorPath<i64, Label>| {
+            let area = |path: &DataVectorPath<i64, ContourLabel>| {
                 let points: Vec<DVec2> = path.iter().map(|edge| to_mm(edge.a)).collect();
                 signed_area(&points).abs()
             };
@@ -91,7 +91,7 @@ pub fn difference(below: &[Contour], above: &[Contour]) -> Difference {
 }
 
 /// The edges of the closed contours, each with its contour's label.
-fn labelled(contours: &[Contour], label: impl Fn(u32) -> Label) -> Vec<Edge<Label>> {
+fn labelled(contours: &[Contour], label: impl Fn(u32) -> ContourLabel) -> Vec<Edge<ContourLabel>> {
     let closed = (0..).zip(contours).filter(|(_, contour)| contour.closed);
     closed
         .flat_map(|(i, c)| edges(&c.points, std::iter::repeat_n(label(i), c.points.len())))

@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::chains::{Chain, Chains, Key};
+use super::chains::{Chains, Key, RisingChain};
 use super::grid::UNITS_PER_MM;
 use super::ring::Ring;
 use crate::geometry::polygon::turn;
@@ -96,7 +96,7 @@ impl Sweep<'_> {
                 self.remove(chain, key.along);
                 continue;
             }
-            let Chain { ring, segments, .. } = self.chains.list[chain as usize];
+            let RisingChain { ring, segments, .. } = self.chains.list[chain as usize];
             let left = self.place(chain, key.along);
             if !std::mem::replace(&mut seen[ring as usize], true) {
                 self.parents[ring as usize] = self.enclosing(left);
@@ -199,7 +199,7 @@ impl Sweep<'_> {
     }
 
     /// Whether one chain stays left of the other all along the stretch.
-    fn apart(&self, left: &Chain, right: &Chain, since: f64, until: f64) -> bool {
+    fn apart(&self, left: &RisingChain, right: &RisingChain, since: f64, until: f64) -> bool {
         if left.rightmost + 2.0 * TOUCH < right.leftmost {
             return true;
         }

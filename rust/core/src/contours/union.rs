@@ -12,9 +12,9 @@ use crate::slices::Loop;
 
 /// The face that a segment came from.
 #[derive(Clone, Copy, PartialEq)]
-struct Label(u32);
+struct FaceLabel(u32);
 
-impl OverlayEdgeData for Label {
+impl OverlayEdgeData for FaceLabel {
     type Store = ();
 
     /// Where walls coincide, the one with the smaller face number names both.
@@ -31,9 +31,10 @@ impl OverlayEdgeData for Label {
 pub fn union(loops: Vec<Loop>) -> Vec<Loop> {
     let (closed, open): (Vec<Loop>, Vec<Loop>) = loops.into_iter().partition(|l| l.closed);
     let labelled =
-        |l: &'_ Loop| edges(&l.points, l.faces.iter().map(|&face| Label(face))).collect();
-    let edges: Vec<Edge<Label>> = closed.iter().flat_map(|l| -> Vec<_> { labelled(l) }).collect();
-    let mut overlay = EdgeOverlay::<i64, Label>::new(edges.len());
+        |l: &'_ Loop| edges(&l.points, l.faces.iter().map(|&face| FaceLabel(face))).collect();
+    let edges: Vec<Edge<FaceLabel>> =
+        closed.iter().flat_map(|l| -> Vec<_> { labelled(l) }).collect();
+    let mut overlay = EdgeOverlay::<i64, FaceLabel>::new(edges.len());
     overlay.add_edges(bent(&edges), ShapeType::Subject);
     let shapes = overlay.build_vector_shapes(OverlayRule::Subject, FillRule::NonZero);
     let united = shapes.into_iter().flatten().map(|path| Loop {

@@ -13,11 +13,11 @@ use crate::geometry::passing::Passing;
 pub struct Layers {
     /// Their numbers, ascending.
     numbers: Vec<i64>,
-    layers: Vec<Layer>,
+    layers: Vec<LayerSegments>,
 }
 
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-struct Layer {
+struct LayerSegments {
     segments: Vec<[DVec2; 2]>,
     #[serde(skip)]
     passing: OnceLock<Passing>,
@@ -41,7 +41,7 @@ impl Layers {
         let mut numbers: Vec<i64> = segments.iter().map(|(number, _)| *number).collect();
         numbers.sort_unstable();
         numbers.dedup();
-        let mut layers = vec![Layer::default(); numbers.len()];
+        let mut layers = vec![LayerSegments::default(); numbers.len()];
         for (number, ends) in segments {
             let place = numbers.partition_point(|other| other < number);
             layers[place].segments.push(*ends);

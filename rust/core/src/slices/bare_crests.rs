@@ -40,7 +40,7 @@ impl Crests {
         if self.left.is_empty() {
             return Vec::new();
         }
-        let slices = Slice::all(mesh, levels);
+        let slices = LevelSlice::all(mesh, levels);
         let (beside, covered) = (self.beside, self.covered);
         let mut bare = Vec::new();
         self.left.retain(|crest| {
@@ -58,14 +58,14 @@ impl Crests {
 
 /// One of the slices of a level.
 #[derive(Clone)]
-struct Slice {
+struct LevelSlice {
     plane: Plane,
     level: usize,
     rings: Vec<Vec<DVec2>>,
     segments: Segments,
 }
 
-impl Slice {
+impl LevelSlice {
     /// The slices of some levels, bottom up.
     fn all(mesh: &Mesh, levels: &[Level]) -> Vec<Self> {
         let cuts = levels.iter().enumerate().flat_map(|(number, level)| {
@@ -91,19 +91,19 @@ impl Slice {
 /// The slices that may cover what lies at some height.
 struct Around<'a> {
     /// The nearest slices below and above.
-    beside: [Option<&'a Slice>; 2],
+    beside: [Option<&'a LevelSlice>; 2],
     /// Neighbours at one level: between them lie its flat faces, which are closed.
-    pairs: Vec<&'a [Slice]>,
+    pairs: Vec<&'a [LevelSlice]>,
     z: f64,
     covered: f64,
 }
 
 impl<'a> Around<'a> {
-    fn new(slices: &'a [Slice], z: f64, shown: f64, covered: f64) -> Self {
+    fn new(slices: &'a [LevelSlice], z: f64, shown: f64, covered: f64) -> Self {
         let below = slices.partition_point(|slice| slice.plane.z <= z - shown);
         let above = slices.partition_point(|slice| slice.plane.z < z + shown);
         let beside = [below.checked_sub(1).and_then(|i| slices.get(i)), slices.get(above)];
-        let is_near = |pair: &&[Slice]| {
+        let is_near = |pair: &&[LevelSlice]| {
             let one = pair[0].level == pair[1].level;
             one && (pair[0].plane.z - z).abs().min((pair[1].plane.z - z).abs()) < covered
         };
@@ -111,7 +111,7 @@ impl<'a> Around<'a> {
     }
 
     fn is_bare(&self, place: DVec2) -> bool {
-        let covers = |slice: &&Slice| {
+        let covers = |slice: &&LevelSlice| {
             let square = slice.segments.nearest(place, 0).map_or(f64::INFINITY, |n| n.square);
             square + (slice.plane.z - self.z).powi(2) <= self.covered * self.covered
         };

@@ -57,9 +57,9 @@ pub(super) const FLAT_STEP: f64 = 0.01;
 /// The features of at least `least` mm, sorted by height; size as in [`Feature::size`].
 #[must_use]
 pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
-    let order = Order::new(mesh);
+    let order = VertexOrder::new(mesh);
     let ((join, split), (mut found, saddles)) = rayon::join(
-        || rayon::join(|| sweep(&order, Sweep::Up), || sweep(&order, Sweep::Down)),
+        || rayon::join(|| sweep(&order, SweepWay::Up), || sweep(&order, SweepWay::Down)),
         || (flats(mesh, least * least), saddles(mesh, &order)),
     );
     let mut paired = vec![0_u32; mesh.vertices.len()];
@@ -90,14 +90,14 @@ pub fn features(mesh: &Mesh, least: f64) -> Vec<Feature> {
 const FEW: usize = 1 << 14;
 
 /// The vertices in the order by (height, index), which breaks all ties.
-struct Order {
+struct VertexOrder {
     /// Vertices, the lowest first: a vertex's place in here is its rank.
     vertices: Vec<u32>,
     /// The ranks of each face's corners, ascending.
     faces: Vec<[u32; 3]>,
 }
 
-impl Order {
+impl VertexOrder {
     fn new(mesh: &Mesh) -> Self {
         // Numbers that sort like the heights (IEEE 754, totalOrder), with the index behind.
         let key = |z: f64| {
@@ -121,19 +121,19 @@ impl Order {
     }
 
     /// The corners of each face as turns of a sweep, in the order in which they appear.
-    fn appearing(&self, sweep: Sweep) -> impl Iterator<Item = [usize; 3]> + '_ {
+    fn appearing(&self, sweep: SweepWay) -> impl Iterator<Item = [usize; 3]> + '_ {
         let count = self.vertices.len();
         self.faces.iter().map(move |&[low, middle, high]| match sweep {
-            Sweep::Up => [low, middle, high].map(|rank| rank as usize),
-            Sweep::Down => [high, middle, low].map(|rank| count - 1 - rank as usize),
+            SweepWay::Up => [low, middle, high].map(|rank| rank as usize),
+            SweepWay::Down => [high, middle, low].map(|rank| count - 1 - rank as usize),
         })
     }
 
     /// The vertex that appears at a turn of a sweep.
-    fn vertex(&self, turn: usize, sweep: Sweep) -> u32 {
+    fn vertex(&self, turn: usize, sweep: SweepWay) -> u32 {
         match sweep {
-            Sweep::Up => self.vertices[turn],
-            Sweep::Down => self.vertices[self.vertices.len() - 1 - turn],
+            SweepWay::Up => self.vertices[turn],
+            SweepWay::Down => self.vertices[self.vertices.len() - 1 - turn],
         }
     }
 }
@@ -145,7 +145,7 @@ fn ascending([a, b, c]: [u32; 3]) -> [u32; 3] {
 
 /// The direction in which components are joined.
 #[derive(Clone, Copy)]
-enum Sweep {
+enum SweepWay {
     Up,
     Down,
 }
@@ -158,7 +158,7 @@ struct Pair {
 
 /// Joins components in the order in which vertices appear; pairs with zero persistence (flat
 /// regions) are listed too, for they use up saddles.
-fn sweep(order: &Order, sweep: Sweep) -> Vec<Pair> {
+fn sweep(order: &VertexOrder, sweep: SweepWay) -> Vec<Pair> {
     let count = order.vertices.len();
     let (begins, firsts) = joins(order, sweep);
     // Components are sets of turns, each rooted at its oldest.
@@ -194,7 +194,7 @@ fn sweep(order: &Order, sweep: Sweep) -> Vec<Pair> {
 
 /// For each turn of a sweep, the earlier turns that are joined with it, and where they begin: two
 /// of a face's edges, both from the corner that appears first, join all three.
-fn joins(order: &Order, sweep: Sweep) -> (Vec<u32>, Vec<u32>) {
+fn joins(order: &VertexOrder, sweep: SweepWay) -> (Vec<u32>, Vec<u32>) {
     let mut begins = vec![0_u32; order.vertices.len() + 2];
     for [_, middle, last] in order.appearing(sweep) {
         begins[middle + 2] += 1;
@@ -217,7 +217,7 @@ fn joins(order: &Order, sweep: Sweep) -> (Vec<u32>, Vec<u32>) {
 
 /// Multiplicity of each vertex as a saddle: half the sign changes around its link, less one.
 /// A face changes sign at the vertex that is its middle one by rank. Rims have no full link.
-fn saddles(mesh: &Mesh, order: &Order) -> Vec<u32> {
+fn saddles(mesh: &Mesh, order: &VertexOrder) -> Vec<u32> {
     let mut changes = vec![0_u32; mesh.vertices.len()];
     for &[_, middle, _] in &order.faces {
         changes[order.vertices[middle as usize] as usize] += 1;

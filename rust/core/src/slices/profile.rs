@@ -30,7 +30,7 @@ type Rough = [f32; KINDS];
 
 /// The faces of one layer, by kind.
 #[derive(Debug, Clone, Copy)]
-struct Layer {
+struct LayerFaces {
     /// Area, mm².
     area: Kinds,
     /// Area as seen from the side, mm².
@@ -39,7 +39,7 @@ struct Layer {
     outward: Kinds,
 }
 
-impl Layer {
+impl LayerFaces {
     const EMPTY: Self = Self { area: [0.0; KINDS], upright: [0.0; KINDS], outward: [0.0; KINDS] };
 
     fn plus(&self, other: &Self) -> Self {
@@ -71,11 +71,11 @@ impl Profile {
         let count = (((top - bottom) / step).ceil() as usize).max(1);
         let step = (top - bottom).max(f64::MIN_POSITIVE) / count as f64;
         let ladder = Ladder { bottom, step, count };
-        let parts: Vec<Vec<Layer>> = mesh
+        let parts: Vec<Vec<LayerFaces>> = mesh
             .faces
             .par_chunks(CHUNK)
             .map(|faces| {
-                let mut part = vec![Layer::EMPTY; count];
+                let mut part = vec![LayerFaces::EMPTY; count];
                 for face in faces {
                     ladder.add_face(mesh, *face, &mut part);
                 }
@@ -86,7 +86,7 @@ impl Profile {
         let mut reach = [0.0; KINDS];
         let mut reaches = vec![rough(&reach)];
         for i in 0..count {
-            let layer = parts.iter().fold(Layer::EMPTY, |sum, part| sum.plus(&part[i]));
+            let layer = parts.iter().fold(LayerFaces::EMPTY, |sum, part| sum.plus(&part[i]));
             let low = reach;
             let faces = layer.outward.iter().zip(&layer.upright);
             for (reach, (outward, upright)) in reach.iter_mut().zip(faces) {
@@ -151,7 +151,7 @@ impl Ladder {
         (((z - self.bottom) / self.step).max(0.0) as usize).min(self.count - 1)
     }
 
-    fn add_face(&self, mesh: &Mesh, face: [u32; 3], layers: &mut [Layer]) {
+    fn add_face(&self, mesh: &Mesh, face: [u32; 3], layers: &mut [LayerFaces]) {
         let [a, b, c] = face.map(|v| mesh.vertices[v as usize]);
         let normal = (b - a).cross(c - a) * 0.5;
         let area = normal.length();

@@ -60,7 +60,7 @@ impl Pass {
 /// What the wire beside layers goes by: made with the print that has none, and the same for all
 /// that have some.
 #[derive(Debug)]
-pub struct Bare {
+pub struct PlainPrint {
     /// The slices without supports, where the print has some.
     sliced: Option<Sliced>,
     /// What the first pass laid, where further ones followed, and the last one.
@@ -68,7 +68,7 @@ pub struct Bare {
     last: Guide,
 }
 
-impl Bare {
+impl PlainPrint {
     /// The slices without supports of a model, whose print without layers is `plain`.
     #[must_use]
     pub fn sliced<'a>(&'a self, plain: &'a Wireframe) -> &'a Sliced {
@@ -92,7 +92,7 @@ pub fn build_plain(
     standing: &[[DVec3; 2]],
     head: &Head,
     p: &WireParams,
-) -> (Wireframe, Bare) {
+) -> (Wireframe, PlainPrint) {
     let none = Layered::default();
     let plan = PassInput { layered: &none, standing, head, p, searching: false };
     let nothing = Guide::default();
@@ -111,14 +111,14 @@ pub fn build_plain(
         Some(propped) => (propped, Some(sliced)),
         None => (sliced, None),
     };
-    (Wireframe { posts, strands, unprinted, sliced }, Bare { sliced: bare, first, last })
+    (Wireframe { posts, strands, unprinted, sliced }, PlainPrint { sliced: bare, first, last })
 }
 
 /// Lays the strands of a model beside layers, by its print without them.
 #[must_use]
 pub fn build_beside(
     plain: &Wireframe,
-    bare: &Bare,
+    bare: &PlainPrint,
     layered: &Layered,
     standing: &[[DVec3; 2]],
     head: &Head,

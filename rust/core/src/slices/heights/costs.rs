@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use super::outline::{Outline, Ring};
+use super::outline::{Outline, RingShape};
 use super::params::HeightParams;
 use super::wanted::Wanted;
 use crate::climb::strokes_take;
-use crate::coil::{Coil, Near, Pace, SmallWalls, keep_groups, roomy, wobble};
+use crate::coil::{Coil, NearWalls, Pace, SmallWalls, keep_groups, roomy, wobble};
 use crate::head::Head;
 use crate::slices::profile::Profile;
 use crate::slices::tuning::{
@@ -135,7 +135,7 @@ impl Costs<'_> {
             rings.map(|(ring, &lean)| small.coiled(ring.length, lean)).collect();
         let clearance = |rise: f64| self.head.clearance(rise) * SLACK;
         let reach = clearance(small.height);
-        let near: Vec<Near> =
+        let near: Vec<NearWalls> =
             outline.near.iter().filter(|near| near.gap < reach).copied().collect();
         let mut able: Vec<bool> =
             (0..outline.rings.len()).map(|i| takes.get(i).is_some_and(Option::is_some)).collect();
@@ -172,8 +172,8 @@ impl Costs<'_> {
 
 /// How far a ring's wall leans that stands between two slices, horizontally for a step up: by how much
 /// the ring that is most like it at the `other` one lies and runs elsewhere. Infinite where none is.
-fn lean(ring: &Ring, other: &Outline, height: f64) -> f64 {
-    let away = |to: &Ring| {
+fn lean(ring: &RingShape, other: &Outline, height: f64) -> f64 {
+    let away = |to: &RingShape| {
         let wider = (ring.length - to.length).abs() / TAU;
         (ring.middle.distance(to.middle) + wider) / height
     };

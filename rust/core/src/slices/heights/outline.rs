@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::coil::{DOT, Near, gap};
+use crate::coil::{DOT, NearWalls, gap};
 use crate::slices::outlines::Loop;
 use crate::slices::tuning::STROKE;
 
@@ -21,7 +21,7 @@ pub struct Measure {
 
 /// Length, smooth turning and place of a loop.
 #[derive(Clone, Copy)]
-pub struct Ring {
+pub struct RingShape {
     /// Its length, mm.
     pub length: f64,
     /// How far it turns without its corners, rad.
@@ -36,9 +36,9 @@ pub struct Ring {
 #[derive(Clone)]
 pub struct Outline {
     /// The loops that are no dots, the shortest first.
-    pub rings: Vec<Ring>,
+    pub rings: Vec<RingShape>,
     /// Pairs of them of which the first is small enough for a coil, and which are near each other.
-    pub near: Vec<Near>,
+    pub near: Vec<NearWalls>,
     /// Length of all loops, mm.
     pub length: f64,
     /// Turning of all loops without their corners, rad.
@@ -50,7 +50,7 @@ impl Outline {
     pub fn new(loops: &[Loop], measure: &Measure) -> Self {
         let (mut length, mut turning, mut rings) = (0.0, 0.0, Vec::new());
         for l in loops {
-            let ring = Ring {
+            let ring = RingShape {
                 length: perimeter(l),
                 turning: smooth_turning(l, STROKE * measure.free_end),
                 middle: l.points.iter().sum::<DVec2>() / l.points.len() as f64,
@@ -69,14 +69,14 @@ impl Outline {
 }
 
 /// Pairs of rings, the shortest first, that are near each other; the first of each is small.
-fn near(rings: &[(Ring, &Loop)], measure: &Measure) -> Vec<Near> {
+fn near(rings: &[(RingShape, &Loop)], measure: &Measure) -> Vec<NearWalls> {
     let small = rings.partition_point(|(ring, _)| ring.length < measure.roomy);
     let mut found = Vec::new();
     for (a, (_, one)) in rings.iter().enumerate().take(small) {
         for (b, (_, two)) in rings.iter().enumerate().skip(a + 1) {
             let gap = gap(&one.points, &two.points, two.closed, measure.reach);
             if gap < measure.reach {
-                found.push(Near { walls: [a, b], gap });
+                found.push(NearWalls { walls: [a, b], gap });
             }
         }
     }

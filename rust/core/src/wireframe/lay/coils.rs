@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::coil::{Near, gap, keep_groups};
+use crate::coil::{NearWalls, gap, keep_groups};
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::stroke::SLACK;
 use crate::wireframe::lay::coil::{Group, Tube, small_walls};
@@ -43,9 +43,9 @@ impl Coils {
         let clearance = |rise: f64| cx.head.clearance(rise) * SLACK;
         let near = near(top, jobs, ground, &able, clearance(height));
         keep_groups(&mut able, &near, clearance(small_walls(cx, height).rise()));
-        let together: Vec<&Near> = near.iter().filter(|near| able[near.walls[0]]).collect();
+        let together: Vec<&NearWalls> = near.iter().filter(|near| able[near.walls[0]]).collect();
         let sets = UnionFind::new(jobs.len());
-        for Near { walls: [a, b], .. } in &together {
+        for NearWalls { walls: [a, b], .. } in &together {
             sets.join(*a as u32, *b as u32);
         }
         let (mut groups, mut of) = (Vec::<Group>::new(), vec![None; jobs.len()]);
@@ -83,7 +83,7 @@ impl Coils {
 
 /// Pairs of walls that come nearer to each other than `reach` mm, in what they stand on or what they lead
 /// up to; one of each at least could be coiled.
-fn near(top: &Top, jobs: &[Job], ground: &Ground, able: &[bool], reach: f64) -> Vec<Near> {
+fn near(top: &Top, jobs: &[Job], ground: &Ground, able: &[bool], reach: f64) -> Vec<NearWalls> {
     let outlines = |job: &Job| -> [Vec<Vec<DVec2>>; 2] {
         let upper = top.curves[job.curve].iter().map(|curve| curve.points().to_vec());
         [plans(job, ground), upper.collect()]
@@ -100,7 +100,7 @@ fn near(top: &Top, jobs: &[Job], ground: &Ground, able: &[bool], reach: f64) -> 
         for b in (0..jobs.len()).filter(|&b| b != a && (b > a || !able[b])) {
             let gap = apart(a, b);
             if gap < reach {
-                found.push(Near { walls: [a, b], gap });
+                found.push(NearWalls { walls: [a, b], gap });
             }
         }
     }

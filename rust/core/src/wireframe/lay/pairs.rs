@@ -16,7 +16,7 @@ use crate::wireframe::place::fold::share_near;
 const SHARE: f64 = 0.5;
 
 /// The number of a contour's curve, and its posts, if it has some.
-pub type Side = (usize, Option<Standing>);
+pub type WovenSide = (usize, Option<Standing>);
 
 /// For each job, the one with which it makes a double wall.
 pub fn pairs(cx: &Context, top: &Top, jobs: &[Job], ground: &Ground) -> Vec<Option<usize>> {
@@ -55,7 +55,7 @@ pub fn woven(
     top: &Top,
     jobs: [&Job; 2],
     ground: &Ground,
-) -> Option<([Side; 2], Lacing)> {
+) -> Option<([WovenSide; 2], Lacing)> {
     let rims = [rim_of(jobs[0], ground)?, rim_of(jobs[1], ground)?];
     // The weave begins where the head is: on the wall that the last strand ended on.
     let from = [0, 1].map(|i| going_on(journal, &rims[i..=i]));

@@ -12,7 +12,7 @@ type Sample = (u32, f64, DVec2);
 
 /// Successive samples of one contour in one cell.
 #[derive(Debug, Clone, Copy)]
-struct Run {
+struct SampleRun {
     wall: usize,
     /// Arc lengths of the first and the last one, mm.
     from: f64,
@@ -35,7 +35,7 @@ pub struct Walls {
     /// Samples sorted by cell.
     samples: Vec<Sample>,
     /// Runs of samples, and where each cell's begin.
-    runs: Vec<Run>,
+    runs: Vec<SampleRun>,
     begins: Vec<usize>,
 }
 
@@ -103,7 +103,7 @@ impl Walls {
         for run in samples.chunk_by(follows) {
             let ((wall, from, _), (_, to, _)) = (run[0], run[run.len() - 1]);
             let end = begin + run.len();
-            self.runs.push(Run { wall: wall as usize, from, to, begin, end });
+            self.runs.push(SampleRun { wall: wall as usize, from, to, begin, end });
             begin = end;
         }
     }
@@ -165,7 +165,7 @@ impl Walls {
 
     /// Whether all of a run lies within some arc length, mm, of a place of its contour: both its
     /// ends do, and it is too short to hold all that lies beyond on a closed one.
-    fn is_beside(&self, run: &Run, s: f64, within: f64) -> bool {
+    fn is_beside(&self, run: &SampleRun, s: f64, within: f64) -> bool {
         let (length, closed) = self.lengths[run.wall];
         let beyond = length - 2.0 * within;
         [run.from, run.to].into_iter().all(|end| self.apart(run.wall, s, end) <= within)

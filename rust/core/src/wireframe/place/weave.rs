@@ -82,7 +82,7 @@ struct Table<'a> {
     of: [Vec<usize>; 2],
     /// For each place, its rank on its wall.
     ranks: Vec<usize>,
-    rows: Vec<Row>,
+    rows: Vec<StateRow>,
     costs: Vec<f64>,
     /// For each state, the slot of the last post before on the last one's own wall: with the state's
     /// other post it makes the state before, in which the later of the two is the last.
@@ -95,14 +95,14 @@ struct Table<'a> {
 
 /// Where the states of a place are: those of its slots from `low` on, before `end`.
 #[derive(Clone, Copy)]
-struct Row {
+struct StateRow {
     low: usize,
     end: usize,
     /// Where the first one's cost is.
     begin: usize,
 }
 
-impl Row {
+impl StateRow {
     fn at(&self, slot: usize) -> usize {
         self.begin + slot - self.low
     }
@@ -131,7 +131,7 @@ impl<'a> Table<'a> {
             while waits(*first) > LONGEST_WAIT * widest {
                 *first += 1;
             }
-            let row = Row { low: *first, end: of[other].len() + 1, begin: size };
+            let row = StateRow { low: *first, end: of[other].len() + 1, begin: size };
             size += row.end - row.low;
             rows.push(row);
             ranks.push(of[place.wall].len());
@@ -232,7 +232,7 @@ impl<'a> Table<'a> {
     fn way(&self, home: &Home) -> Vec<usize> {
         let mut best: Option<(f64, (usize, usize))> = None;
         for j in (1..self.places.len()).rev() {
-            let Row { low, end, .. } = self.rows[j];
+            let StateRow { low, end, .. } = self.rows[j];
             let Some(lap) = lap(&self.places[0], &self.places[j], home, self.p) else { continue };
             for slot in low.max(1)..end {
                 let cost = self.costs[self.rows[j].at(slot)] + lap;

@@ -8,14 +8,13 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use crate::contours::Contour;
-use crate::geometry::polygon;
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::params::WireParams;
+use crate::wireframe::plan::raise::{Foot, Planned, raise};
 use crate::wireframe::plan::section::Section;
 use crate::wireframe::plan::sliced::{Column, Sliced};
-use crate::wireframe::plan::strips::Strip;
+use crate::wireframe::plan::standing_room::StandingRoom;
 
 /// Radius of a column as a part of what a zigzag of the highest slab takes from post to post: room
 /// for three posts at the usual slab heights.
@@ -23,8 +22,6 @@ const SLENDER: f64 = 0.4;
 /// Radius of the ring that a column is, in strands: it is coiled. Doubled, columns take twice as long;
 /// halved, they bend four times as much as they need.
 const SLIM: f64 = 4.0;
-/// Corners of a column.
-const CORNERS: usize = 12;
 /// A column serves what lies within this part of the longest span beside it.
 const SERVES: f64 = 0.19;
 /// The middle of a column keeps so many radii from walls …
@@ -48,30 +45,6 @@ pub struct Need {
     pub urgent: bool,
 }
 
-/// Where a column begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Foot {
-    /// On the bed.
-    Bed,
-    /// On the flat faces that a level's slice of this number, from the lowest, closes.
-    Face {
-        /// The level.
-        level: usize,
-        /// The number of the slice.
-        step: usize,
-    },
-    /// At a level, on the surface that passes below it, or hung on walls that stand near.
-    Slope {
-        /// The level.
-        level: usize,
-    },
-    /// On a column that ends at a level.
-    Column {
-        /// Its number.
-        below: usize,
-    },
-}
-
 /// Adds columns to the slices under the wanted places, and roofs; tells whether there are any.
 pub fn add(
     sliced: &mut Sliced,
@@ -92,39 +65,17 @@ pub fn add(
     !(found.is_empty() && roofs.is_empty())
 }
 
-/// A column to be built.
-#[derive(Debug, Clone, Copy)]
-struct Planned {
-    /// The place that it is meant for; it may stand a little beside.
-    wanted: DVec2,
-    /// Its middle, mm.
-    place: DVec2,
-    /// The lowest level that it reaches, and the one where it ends.
-    first: usize,
-    top: usize,
-    /// Where it begins.
-    foot: Foot,
-}
-
-impl Planned {
-    /// Whether it stands at a level.
-    fn passes(&self, level: usize) -> bool {
-        let begins_above = matches!(self.foot, Foot::Face { .. });
-        (self.first + usize::from(begins_above)..=self.top).contains(&level)
-    }
-}
-
 /// What columns stand in.
 struct Site<'a> {
     sliced: &'a Sliced,
     /// The slices from the bed up: level, number within it, outline. Those from below are the first
     /// of their level.
-    slices: Vec<Slice<'a>>,
+    slices: Vec<SliceOutline<'a>>,
     radius: f64,
     serves: f64,
     /// Walls within this reach carry what begins beside them, mm.
     hold: f64,
-    bounds: Bounds,
+    room: StandingRoom,
 }
 
 /// The way down from where a column is wanted.
@@ -134,7 +85,8 @@ struct Fall {
     room: f64,
 }
 
-struct Slice<'a> {
+/// What a slice leaves free.
+struct SliceOutline<'a> {
     level: usize,
     /// Its number among the level's steps; none for the slice that ends the slab below.
     step: Option<usize>,
@@ -147,7 +99,7 @@ impl<'a> Site<'a> {
         for level in 0..sliced.levels.len() {
             let mut add = |step, contours| {
                 let outline = Section::new(contours);
-                slices.push(Slice { level, step, outline });
+                slices.push(SliceOutline { level, step, outline });
             };
             if level > 0 {
                 add(None, &sliced.lower[level]);
@@ -157,9 +109,9 @@ impl<'a> Site<'a> {
             }
             add(Some(sliced.sheets[level].len()), &sliced.upper[level]);
         }
-        let bounds = Bounds::of(sliced, radius);
+        let room = StandingRoom::of(sliced, radius);
         let serves = SERVES * p.span_limit;
-        Self { sliced, slices, radius, serves, hold: p.free_end_limit, bounds }
+        Self { sliced, slices, radius, serves, hold: p.free_end_limit, room }
     }
 
     /// The columns to be built. Needs that another one serves as well are left out, and those that
@@ -228,7 +180,7 @@ impl<'a> Site<'a> {
         };
         let mut best: Option<(f64, Planned)> = None;
         for place in (0..=RINGS).flat_map(ring) {
-            let place = self.bounds.draw_in(place);
+            let place = self.room.draw_in(place);
             let Some(Fall { foot, room }) = way(place) else { continue };
             let first = match foot {
                 Foot::Bed | Foot::Column { .. } => 0,
@@ -300,108 +252,9 @@ impl<'a> Site<'a> {
 
     /// Whether nothing lies in a column's way from one level up to another.
     fn is_free(&self, place: DVec2, from: usize, to: usize) -> bool {
-        let on_the_way = |s: &&Slice| (from..to).contains(&s.level) && s.step.is_some();
+        let on_the_way = |s: &&SliceOutline| (from..to).contains(&s.level) && s.step.is_some();
         let mut way = self.slices.iter().filter(on_the_way).map(|slice| &slice.outline);
         let inside = way.clone().next().is_some_and(|first| first.holds(place));
         way.all(|s| s.holds(place) == inside && s.distance(place) >= TIGHT * self.radius)
     }
 }
-
-/// How far the model reaches: a column that stands out further might leave the bed.
-struct Bounds {
-    low: DVec2,
-    high: DVec2,
-    /// From the middle of the bed to the farthest point, less the column's own radius, mm.
-    reach: f64,
-}
-
-impl Bounds {
-    fn of(sliced: &Sliced, radius: f64) -> Self {
-        let (low, high) = sliced.plan();
-        let middle = 0.5 * (low + high);
-        let reach = sliced.points().map(|p| p.length()).fold(0.0, f64::max) - radius;
-        let (low, high) = ((low + radius).min(middle), (high - radius).max(middle));
-        Self { low, high, reach: reach.max(0.0) }
-    }
-
-    /// The middle of the column that stands within and comes nearest to a place.
-    fn draw_in(&self, place: DVec2) -> DVec2 {
-        place.clamp(self.low, self.high).clamp_length_max(self.reach)
-    }
-}
-
-/// Adds one column to the slices.
-fn raise(sliced: &mut Sliced, radius: f64, planned: &Planned) {
-    let &Planned { place, first: lowest, top, foot, .. } = planned;
-    let ring = ring(place, radius);
-    let mut below: Option<u32> = None;
-    let (first, from) = match foot {
-        Foot::Bed => (0, 0),
-        Foot::Face { level, step } => (level, step),
-        Foot::Slope { level } => (level, 0),
-        Foot::Column { below: number } => {
-            let column = sliced.columns[number];
-            below = Some(column.top);
-            (column.level, 0)
-        }
-    };
-    let on_slab = matches!(foot, Foot::Slope { .. });
-    for level in first..=top {
-        if level > first || on_slab {
-            let index = push(&mut sliced.lower[level], &ring);
-            sliced.strips[level - 1].push(upward(below, index));
-            below = Some(index);
-        }
-        if level == top {
-            break;
-        }
-        let begins = level == first && !on_slab;
-        if begins {
-            part(sliced, level);
-        }
-        let skipped = if begins { from } else { 0 };
-        for sheet in sliced.sheets[level].iter_mut().skip(skipped) {
-            let index = push(&mut sheet.contours, &ring);
-            sheet.ledges.push(upward(below, index));
-            below = Some(index);
-        }
-        let index = push(&mut sliced.upper[level], &ring);
-        if let Some(ledges) = &mut sliced.ledges[level] {
-            ledges.push(upward(below, index));
-        }
-        below = Some(index);
-    }
-    part(sliced, top);
-    let top_ring = below.unwrap_or_default();
-    sliced.columns.push(Column { place, first: lowest, level: top, top: top_ring });
-}
-
-/// Tells apart the slices from below and above a level: from now on one may have what the other
-/// lacks.
-fn part(sliced: &mut Sliced, level: usize) {
-    let same =
-        |i: usize| Strip { lower: vec![i as u32], upper: vec![i as u32], ..Strip::default() };
-    let all = (0..sliced.upper[level].len()).map(same);
-    sliced.ledges[level].get_or_insert_with(|| all.collect());
-}
-
-/// The strip of a column between two slices, or of its foot.
-fn upward(below: Option<u32>, above: u32) -> Strip {
-    Strip { lower: below.into_iter().collect(), upper: vec![above], ..Strip::default() }
-}
-
-fn ring(centre: DVec2, radius: f64) -> Contour {
-    let step = std::f64::consts::TAU / CORNERS as f64;
-    let points: Vec<DVec2> =
-        (0..CORNERS).map(|i| centre + radius * DVec2::from_angle(step * i as f64)).collect();
-    let area = polygon::signed_area(&points);
-    Contour { points, closed: true, area, support: true, ..Contour::default() }
-}
-
-fn push(contours: &mut Vec<Contour>, ring: &Contour) -> u32 {
-    contours.push(ring.clone());
-    (contours.len() - 1) as u32
-}
-
-#[cfg(test)]
-mod tests;

@@ -13,6 +13,7 @@ use crate::contours::Contour;
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::geometry::polygon;
 use crate::mesh::{Mesh, NO_FACE};
+use crate::wireframe::plan::interval::{Ends, Interval, extent, share_between};
 
 /// A connected piece of the surface between two heights.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -95,39 +96,6 @@ pub fn ledges(
 #[must_use]
 pub fn all_ledges(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
     pieces(mesh, slabs, Ends::Closed)
-}
-
-/// Whether an interval of heights holds its ends.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Ends {
-    Open,
-    Closed,
-}
-
-/// An interval of heights, mm.
-#[derive(Clone, Copy)]
-struct Interval {
-    low: f64,
-    high: f64,
-    ends: Ends,
-}
-
-impl Interval {
-    /// Whether something between the heights `low` and `high` reaches into the interval.
-    fn meets(&self, low: f64, high: f64) -> bool {
-        match self.ends {
-            Ends::Open => low < self.high && high > self.low,
-            Ends::Closed => low <= self.high && high >= self.low,
-        }
-    }
-
-    /// Whether something that meets the interval goes on beyond one of its ends.
-    fn is_left_by(&self, low: f64, high: f64) -> bool {
-        match self.ends {
-            Ends::Open => low <= self.low || high >= self.high,
-            Ends::Closed => low < self.low || high > self.high,
-        }
-    }
 }
 
 fn pieces(mesh: &Mesh, slabs: &[Slab], ends: Ends) -> Vec<Vec<Strip>> {
@@ -330,37 +298,6 @@ impl OpenStrip {
     fn touches(&self) -> bool {
         !(self.strip.lower.is_empty() && self.strip.upper.is_empty())
     }
-}
-
-/// Share of a triangle's area between two heights; it must not be level outside them.
-fn share_between([a, b, c]: [f64; 3], low: f64, high: f64) -> f64 {
-    let (least, most) = extent([a, b, c]);
-    if low <= least && most <= high {
-        return 1.0;
-    }
-    let middle = a.min(b).max(a.max(b).min(c));
-    let z = [least, middle, most];
-    share_below(z, high) - share_below(z, low)
-}
-
-/// Share of a triangle's area below a height; its corners' heights ascend and are not all equal.
-///
-/// A level cut takes off a triangle similar to the part on its side of the middle corner.
-fn share_below([low, middle, high]: [f64; 3], z: f64) -> f64 {
-    if z <= low {
-        0.0
-    } else if z >= high {
-        1.0
-    } else if z < middle {
-        (z - low).powi(2) / ((middle - low) * (high - low))
-    } else {
-        1.0 - (high - z).powi(2) / ((high - middle) * (high - low))
-    }
-}
-
-/// Lowest and highest of three heights.
-fn extent([a, b, c]: [f64; 3]) -> (f64, f64) {
-    (a.min(b).min(c), a.max(b).max(c))
 }
 
 #[cfg(test)]

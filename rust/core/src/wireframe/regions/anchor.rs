@@ -36,7 +36,7 @@ pub struct Touchable {
 
 /// A line of a layer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Line {
+pub struct LayerLine {
     /// Its points, mm, two or more.
     pub points: Arc<[DVec3]>,
     /// Whether it lies behind the outer wall, or whatever else its maker tells lines apart by.
@@ -45,11 +45,11 @@ pub struct Line {
 
 /// The lines of a layer in printing order.
 #[derive(Debug, Clone, Default)]
-pub struct Layer {
+pub struct LayerLines {
     /// Its number, from the bed up.
     pub number: i64,
     /// Its lines.
-    pub lines: Vec<Line>,
+    pub lines: Vec<LayerLine>,
 }
 
 impl Touchable {
@@ -68,16 +68,16 @@ impl Touchable {
     /// nothing holds come last on their layers. Layers come from the bed up; nothing holds a line
     /// at the places of `loose`, whatever seems to.
     #[must_use]
-    pub fn anchored(&self, layers: Vec<Layer>, loose: &Layers) -> Vec<Layer> {
+    pub fn anchored(&self, layers: Vec<LayerLines>, loose: &Layers) -> Vec<LayerLines> {
         let mut waiting = 1 + layers.iter().map(|layer| layer.lines.len()).sum::<usize>();
-        let mut placed: Vec<Placed> = layers.into_iter().map(Placed::new).collect();
+        let mut placed: Vec<PlacedLines> = layers.into_iter().map(PlacedLines::new).collect();
         // What is cut off may have held what is printed later.
         let mut waits = true;
         for _ in 0..PASSES {
-            let ground = Ground { touchable: self, loose, placed: &placed, waits };
+            let supports = Supports { touchable: self, loose, placed: &placed, waits };
             let found: Vec<Option<Mended>> = (0..placed.len())
                 .into_par_iter()
-                .map(|at| placed[at].is_stale.then(|| ground.mended(at)))
+                .map(|at| placed[at].is_stale.then(|| supports.mended(at)))
                 .collect();
             let late = |at: usize| found[at].as_ref().map_or(placed[at].late, |new| new.late);
             let lates: Vec<usize> = (0..placed.len()).map(late).collect();
@@ -109,7 +109,7 @@ impl Touchable {
 /// those whose own lines changed, or the ones below, or, where nothing `waits_no_more`, that have
 /// lines that wait.
 fn renew(
-    placed: &mut [Placed],
+    placed: &mut [PlacedLines],
     found: Vec<Option<Mended>>,
     lates: &[usize],
     waits_no_more: bool,
@@ -119,7 +119,7 @@ fn renew(
         let lines = new.map(|new| new.lines).filter(|lines| *lines != one.layer.lines);
         let (number, is_moved) = (one.layer.number, lines.is_some());
         if let Some(lines) = lines {
-            *one = Placed::new(Layer { number, lines });
+            *one = PlacedLines::new(LayerLines { number, lines });
         }
         one.late = late;
         one.is_stale = is_moved || below == Some(number - 1) || (waits_no_more && late > 0);
@@ -130,8 +130,8 @@ fn renew(
 }
 
 /// A layer, and where its lines pass.
-struct Placed {
-    layer: Layer,
+struct PlacedLines {
+    layer: LayerLines,
     passing: Passing,
     /// The line of each segment.
     owner: Vec<usize>,
@@ -141,9 +141,9 @@ struct Placed {
     is_stale: bool,
 }
 
-impl Placed {
-    fn new(layer: Layer) -> Self {
-        let pairs = |line: &Line| -> Vec<[DVec2; 2]> {
+impl PlacedLines {
+    fn new(layer: LayerLines) -> Self {
+        let pairs = |line: &LayerLine| -> Vec<[DVec2; 2]> {
             line.points.windows(2).map(|ends| [ends[0].truncate(), ends[1].truncate()]).collect()
         };
         let segments: Vec<Vec<[DVec2; 2]>> = layer.lines.iter().map(pairs).collect();
@@ -154,7 +154,7 @@ impl Placed {
 
 /// A layer's lines, mended.
 struct Mended {
-    lines: Vec<Line>,
+    lines: Vec<LayerLine>,
     /// Whether anything was cut, turned or set back.
     is_changed: bool,
     late: usize,
@@ -171,15 +171,15 @@ enum Left {
 }
 
 /// What is there before each line is printed, and what will be.
-struct Ground<'a> {
+struct Supports<'a> {
     touchable: &'a Touchable,
     loose: &'a Layers,
-    placed: &'a [Placed],
+    placed: &'a [PlacedLines],
     /// Whether what nothing holds waits for the rest of its layer.
     waits: bool,
 }
 
-impl Ground<'_> {
+impl Supports<'_> {
     fn mended(&self, at: usize) -> Mended {
         let (mut lines, mut late, mut is_changed) = (Vec::new(), Vec::new(), false);
         for (number, line) in self.placed[at].layer.lines.iter().enumerate() {
@@ -188,7 +188,7 @@ impl Ground<'_> {
                 Left::Waiting => late.push(line.clone()),
                 Left::Parts(parts) => {
                     is_changed |= parts.len() != 1 || parts[0] != line.points;
-                    let part = |points| Line { points, group: line.group };
+                    let part = |points| LayerLine { points, group: line.group };
                     lines.extend(parts.into_iter().map(part));
                 }
             }
@@ -267,126 +267,4 @@ impl Ground<'_> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::solids::Random;
-
-    const STRAND: f64 = 0.4;
-    const LAYER: f64 = 0.2;
-
-    fn touchable(rims: &[(i64, [DVec2; 2])]) -> Touchable {
-        Touchable::new(Layers::default(), Layers::new(rims), STRAND, LAYER)
-    }
-
-    /// The lines of a layer in plan.
-    type Plan = Vec<Vec<(f64, f64)>>;
-
-    fn ends(from: (f64, f64), to: (f64, f64)) -> [DVec2; 2] {
-        [DVec2::from(from), DVec2::from(to)]
-    }
-
-    fn line(number: i64, points: &[(f64, f64)]) -> Line {
-        let z = LAYER * (number + 1) as f64;
-        Line { points: points.iter().map(|&(x, y)| DVec3::new(x, y, z)).collect(), group: 0 }
-    }
-
-    fn layer(number: i64, lines: &[&[(f64, f64)]]) -> Layer {
-        Layer { number, lines: lines.iter().map(|points| line(number, points)).collect() }
-    }
-
-    fn plan(layer: &Layer) -> Plan {
-        let rounded = |v: f64| (v * 1000.0).round() / 1000.0;
-        let points = |line: &Line| {
-            line.points.iter().map(|p| (rounded(p.x), rounded(p.y))).collect::<Vec<_>>()
-        };
-        layer.lines.iter().map(points).collect()
-    }
-
-    fn anchored(touchable: &Touchable, layers: Vec<Layer>) -> Vec<Plan> {
-        touchable.anchored(layers, &Layers::default()).iter().map(plan).collect()
-    }
-
-    #[test]
-    fn what_lies_on_something_stays_as_it_is() {
-        let bed = touchable(&[(-1, ends((0.0, 0.0), (9.0, 0.0)))]);
-        let lines: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (9.0, 0.0)], &[(9.0, 0.3), (0.0, 0.3)]];
-        assert_eq!(anchored(&bed, vec![layer(0, lines), layer(1, lines)]), [lines, lines]);
-    }
-
-    #[test]
-    fn a_line_that_begins_in_the_air_is_turned_round_and_loses_what_nothing_holds() {
-        let bed = touchable(&[(-1, ends((6.0, 0.0), (9.0, 0.0)))]);
-        let found = anchored(&bed, vec![layer(0, &[&[(0.0, 0.0), (9.0, 0.0)]])]);
-        let [begin, end] = found[0][0][..] else { panic!("{found:?}") };
-        assert_eq!(begin, (9.0, 0.0));
-        assert!(end.0 > 5.5 && end.0 < 6.2, "{end:?}");
-    }
-
-    #[test]
-    fn a_line_that_only_its_middle_holds_is_parted_there() {
-        let barely: &[(f64, f64)] = &[(0.0, 0.0), (8.0, 0.0)];
-        let held = touchable(&[
-            (0, ends((4.0, -1.0), (4.0, 1.0))),
-            (0, ends((-0.25, -1.0), (-0.25, 1.0))),
-            (0, ends((8.25, -1.0), (8.25, 1.0))),
-        ]);
-        let found = held.anchored(vec![layer(1, &[barely])], &Layers::default());
-        let [right, left] = &plan(&found[0])[..] else { panic!("{found:?}") };
-        assert!(right[0] == left[0] && right[1].0 > 7.0 && left[1].0 < 1.0);
-    }
-
-    #[test]
-    fn what_nothing_holds_falls_and_what_lies_on_it_with_it() {
-        let bed = touchable(&[(-1, ends((0.0, 0.0), (9.0, 0.0)))]);
-        let [lies, hangs]: [&[(f64, f64)]; 2] =
-            [&[(0.0, 0.0), (9.0, 0.0)], &[(0.0, 5.0), (9.0, 5.0)]];
-        let layers = (0..4).map(|number| layer(number, &[lies, hangs])).collect();
-        assert_eq!(anchored(&bed, layers), vec![[lies]; 4]);
-    }
-
-    #[test]
-    fn a_line_waits_for_another_of_its_layer_that_it_may_lean_on() {
-        let bed = touchable(&[(-1, ends((0.0, 0.0), (9.0, 0.0)))]);
-        let [leans, lies]: [&[(f64, f64)]; 2] =
-            [&[(0.0, 0.38), (9.0, 0.38)], &[(0.0, 0.0), (9.0, 0.0)]];
-        assert_eq!(anchored(&bed, vec![layer(0, &[leans, lies])]), [[lies, leans]]);
-    }
-
-    #[test]
-    fn nothing_holds_a_line_at_a_loose_place() {
-        let bed = touchable(&[(-1, ends((0.0, 0.0), (9.0, 0.0)))]);
-        let loose = Layers::new(&[(0, [DVec2::ZERO; 2])]);
-        let found = bed.anchored(vec![layer(0, &[&[(0.0, 0.0), (9.0, 0.0)]])], &loose);
-        let found = plan(&found[0]);
-        assert!(found[0][0].0 > STRAND);
-        assert_eq!(found[0][1], (9.0, 0.0));
-    }
-
-    /// What is told of the passes: layers that nothing changed need not be looked at again.
-    #[test]
-    fn layers_on_their_own_end_as_they_do_among_others() {
-        let mut random = Random(7);
-        let mut stack = |from: i64| -> Vec<Layer> {
-            (from..from + 6)
-                .map(|number| {
-                    let lines: Vec<Vec<(f64, f64)>> = (0..12)
-                        .map(|_| {
-                            let mut at = || (random.between(0.0, 6.0), random.between(0.0, 6.0));
-                            vec![at(), at(), at()]
-                        })
-                        .collect();
-                    layer(number, &lines.iter().map(Vec::as_slice).collect::<Vec<_>>())
-                })
-                .collect()
-        };
-        let (low, high) = (stack(0), stack(20));
-        let rims = |at: i64| [(at - 1, ends((0.0, 3.0), (6.0, 3.0)))];
-        let all = touchable(&[rims(0), rims(20)].concat());
-        let found = anchored(&all, [low.clone(), high.clone()].concat());
-        let alone = [anchored(&touchable(&rims(0)), low), anchored(&touchable(&rims(20)), high)];
-        // That lines wait no more is told of all layers at once, after so many passes.
-        assert_eq!(found.len(), 12);
-        let count = |layers: &[Plan]| layers.iter().map(Vec::len).sum::<usize>();
-        assert_eq!(count(&found), count(&alone.concat()));
-    }
-}
+mod tests;

@@ -7,7 +7,7 @@ use crate::climb::Climb;
 use crate::mesh::Mesh;
 use crate::printer::Printer;
 use crate::slices::cut::cut_map;
-use crate::slices::heights::outline::{Measure, Ring};
+use crate::slices::heights::outline::{Measure, RingShape};
 use crate::slices::plane::{Plane, Side};
 use crate::solids::{Random, moved, revolved, together};
 use crate::wireframe::frame::PlacedPost;
@@ -34,8 +34,8 @@ impl Case {
             .collect();
         wanted.sort_by(|a, b| a.low.total_cmp(&b.low));
         let outlines = heights.iter().map(|_| {
-            let mut rings: Vec<Ring> = (0..4)
-                .map(|i| Ring {
+            let mut rings: Vec<RingShape> = (0..4)
+                .map(|i| RingShape {
                     length: if i < 2 {
                         random.between(5.0, 25.0)
                     } else {
@@ -52,7 +52,7 @@ impl Case {
             let mut near = |a: usize| {
                 let b = if a == 0 { 3 } else { a - 1 };
                 let gap = random.between(0.5, 12.0);
-                (random.unit() < 0.4).then_some(Near { walls: [a.min(b), a.max(b)], gap })
+                (random.unit() < 0.4).then_some(NearWalls { walls: [a.min(b), a.max(b)], gap })
             };
             let near = (0..3).filter_map(&mut near).collect();
             Outline { rings, near, length, turning }

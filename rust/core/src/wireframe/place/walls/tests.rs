@@ -151,7 +151,7 @@ fn a_run_is_beside_a_place_if_all_of_it_is() {
     let line = [DVec2::new(0.0, 90.0), DVec2::new(100.0, 90.0)];
     let walls = Walls::new(&[Curve::new(&ring, true), Curve::new(&line, false)], 2.0..=4.0);
     let beside = |wall: usize, from: f64, to: f64, s: f64, within: f64| {
-        walls.is_beside(&Run { wall, from, to, begin: 0, end: 2 }, s, within)
+        walls.is_beside(&SampleRun { wall, from, to, begin: 0, end: 2 }, s, within)
     };
     for wall in [0, 1] {
         assert!(beside(wall, 10.0, 30.0, 25.0, 15.0) && !beside(wall, 10.0, 30.0, 25.0, 14.9));

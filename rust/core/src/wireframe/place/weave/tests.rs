@@ -100,7 +100,7 @@ fn the_way_home_of_a_lap_is_a_run_and_an_open_wall_ends_at_its_end() {
 
 #[test]
 fn a_rows_states_lie_behind_each_other_from_its_first_slot_on() {
-    let row = Row { low: 3, end: 7, begin: 20 };
+    let row = StateRow { low: 3, end: 7, begin: 20 };
     assert_eq!([3, 4, 6].map(|slot| row.at(slot)), [20, 21, 23]);
 }
 

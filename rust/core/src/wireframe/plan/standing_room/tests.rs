@@ -1,4 +1,4 @@
-//! How far out columns may stand.
+//! Columns' places, against the rectangle and the circle by themselves.
 
 use super::*;
 use crate::solids::Random;
@@ -15,7 +15,7 @@ fn columns_stand_above_the_model_s_own_rectangle_and_no_farther_out_than_it_reac
         let farthest = corners.iter().map(|p| p.length()).fold(0.0, f64::max);
         let sliced = Scene::slab(5.0, &[closed(corners)]).sliced;
         let radius = random.between(1.0, 6.0);
-        let bounds = Bounds::of(&sliced, radius);
+        let bounds = StandingRoom::of(&sliced, radius);
         for _ in 0..20 {
             let place = DVec2::new(random.between(-90.0, 90.0), random.between(-90.0, 90.0));
             // Its own radius within the rectangle, or in the middle where that is too narrow …
