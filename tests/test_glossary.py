@@ -19,6 +19,7 @@ PLAIN = {
     "features",
     "frame",
     "heights",
+    "interval",
     "layers",
     "lines",
     "mechanics",
