@@ -104,6 +104,21 @@ def test_its_pictures_are_found_as_its_firmware_looks_for_them(cubes, printer):
     assert all(image.convert("RGBA").getextrema()[3][1] > 0 for *_, image in found)
 
 
+@pytest.mark.parametrize("printer", PRINTERS)
+def test_its_pictures_end_where_prusas_own_reader_still_looks_for_them(models, printer, tmp_path):
+    made = wireprint.make(models["mug"], settings_of(printer), compare=False)
+    pictures_end = made.gcode.rindex(b"; thumbnail") if b"; thumbnail" in made.gcode else 0
+    # PrusaLink's py-gcode-metadata reads so many bytes from the start.
+    assert pictures_end < 400_000
+    reader = pytest.importorskip("gcode_metadata")
+    (tmp_path / "mug.gcode").write_bytes(made.gcode)
+    read = reader.FDMMetaData(str(tmp_path / "mug.gcode"))
+    read.load(save_cache=False)
+    shown = {f"{w}x{h}_{form}" for w, h, form in wanted(settings_of(printer).printer)}
+    assert set(read.thumbnails) == shown
+    assert read.data["filament_type"] == "PLA"
+
+
 def test_the_makers_names_lead_to_their_printers():
     from wireprint.gcode.origin import known_printer
 

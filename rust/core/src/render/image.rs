@@ -125,8 +125,22 @@ impl Image {
         match form {
             Form::Png => self.thumbnail_png(),
             // A frame's sides are bounded, so they fit.
-            Form::Qoi => Ok(qoi::encoded(self.width as u32, self.height as u32, &self.rgba)),
+            Form::Qoi => {
+                Ok(qoi::encoded(self.width as u32, self.height as u32, &self.in_few_colours()))
+            }
         }
+    }
+
+    /// The pixels in at most 64 colours, which QOI's memory holds all at once.
+    fn in_few_colours(&self) -> Vec<u8> {
+        let colours = Colours::of(&self.rgba);
+        let (mut indices, mut sums) = (Vec::with_capacity(self.rgba.len() / 4), colours.sums());
+        colours.index(&self.rgba, &mut indices, &mut sums);
+        let (palette, alphas) = colours.palette(&[sums]);
+        let pixels = palette.as_chunks::<3>().0.iter().zip(&alphas);
+        let pixels: Vec<[u8; 4]> = pixels.map(|(&[r, g, b], &alpha)| [r, g, b, alpha]).collect();
+        let places = qoi::in_places_of_their_own(&pixels);
+        indices.iter().flat_map(|&index| places[usize::from(index)]).collect()
     }
 
     /// Writes a PNG file of one byte a channel: `set` chooses the colours, `write` the pixels.

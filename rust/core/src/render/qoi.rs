@@ -23,7 +23,7 @@ pub(super) fn encoded(width: u32, height: u32, rgba: &[u8]) -> Vec<u8> {
     bytes.extend(height.to_be_bytes());
     // Channels, and a colour space that is sRGB with linear alpha.
     bytes.extend([4, 0]);
-    let mut seen = [[0_u8; 4]; 64];
+    let mut seen = [[0_u8; 4]; PLACES];
     let mut last: Pixel = [0, 0, 0, 255];
     let mut run = 0_u8;
     for chunk in rgba.chunks_exact(4) {
@@ -57,10 +57,37 @@ pub(super) fn encoded(width: u32, height: u32, rgba: &[u8]) -> Vec<u8> {
     bytes
 }
 
+/// Places that pixels are remembered in.
+const PLACES: usize = 64;
+/// By as much at most a channel is changed to find a place, of 255.
+const UNSEEN: i16 = 4;
+
+/// Changes colours by as little as is seen by nobody, so that no two of the first 64 share a place:
+/// each is then told by a single byte wherever it comes back. The first ones are changed least.
+pub(super) fn in_places_of_their_own(colours: &[Pixel]) -> Vec<Pixel> {
+    let mut taken = [false; PLACES];
+    let place_of = |&colour: &Pixel| {
+        let free = near(colour).find(|&near| !taken[place(near)]).unwrap_or(colour);
+        taken[place(free)] = true;
+        free
+    };
+    colours.iter().map(place_of).collect()
+}
+
+/// A colour and those beside it in red and green, the nearest in green first.
+fn near([r, g, b, a]: Pixel) -> impl Iterator<Item = Pixel> {
+    let steps = (0..=UNSEEN).flat_map(|step| [step, -step]);
+    let pairs = steps.clone().flat_map(move |dg| steps.clone().map(move |dr| (dr, dg)));
+    pairs.filter_map(move |(dr, dg)| {
+        let moved = |value: u8, by: i16| u8::try_from(i16::from(value) + by).ok();
+        Some([moved(r, dr)?, moved(g, dg)?, b, a])
+    })
+}
+
 /// Where a pixel is remembered.
 fn place([r, g, b, a]: Pixel) -> usize {
     let sum = usize::from(r) * 3 + usize::from(g) * 5 + usize::from(b) * 7 + usize::from(a) * 11;
-    sum % 64
+    sum % PLACES
 }
 
 /// Writes a pixel as shortly as its difference from the last one allows.
