@@ -90,12 +90,13 @@ def figure(value: float) -> str:
     """Write a number with the two digits that it is good for."""
     if value == 0 or not math.isfinite(value):
         return f"{value:g}"
-    decimals = max(0, 1 - math.floor(math.log10(abs(value))))
-    return f"{value:.{min(decimals, 4)}f}"
+    rounded = float(f"{value:.1e}")
+    decimals = max(0, 1 - math.floor(math.log10(abs(rounded))))
+    return f"{rounded:.{min(decimals, 4)}f}"
 
 
 def _amount(value: float, unit: str) -> str:
-    return f"{figure(value)} {unit}" if unit else f"{100 * value:.0f} %"
+    return f"{figure(value)} {unit}" if unit else f"{figure(100 * value)} %"
 
 
 def _sentence(rule: Rule, forecast: Forecast, settings: Settings) -> str:
