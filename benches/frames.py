@@ -5,7 +5,8 @@ python benches/frames.py [--most STRANDS] [--only NAME] [--machine PRINTER/MATER
 For each model of `../shared/models` on a roomy bed: the compliance that a free end had when its
 strand was laid, by the forecast, and the worst that the rule `meets` tells, against those of the
 frame up to there, solved as a whole by scipy. Fails where one is off by more than 1e-8, or none is
-found.
+found; where a print is softest, by mm under the nozzle's pull, a solve as a whole keeps seven
+digits, and so much may be off there.
 """
 
 import argparse
@@ -22,7 +23,7 @@ from wireprint.model import load_model
 from wireprint.pipeline import make
 
 SHARES = (0.3, 0.6, 0.9)
-ALLOWED = 1e-8
+ALLOWED, ALLOWED_WHERE_SOFTEST = 1e-8, 1e-7
 
 
 def free_end(frame, first):
@@ -65,7 +66,7 @@ def met(frame, line):
 
 
 def off(gcode, settings):
-    """Places and relative differences: at the shares of a print, and where `meets` is worst."""
+    """Places, how far each is off and may be: at shares of a print, and where it is softest."""
     forecast = simulate(gcode, settings)
     compliance, worst = forecast.compliance_mm_n, forecast.rules["meets"]
     frame = Frame.of(gcode, settings)
@@ -76,13 +77,14 @@ def off(gcode, settings):
             continue
         strand, node = found
         expected = gives(frame.only(frame.strands <= strand), frame.places[node], settings)
-        yield f"strand {strand}", abs(compliance[strand] / expected - 1)
+        yield f"strand {strand}", abs(compliance[strand] / expected - 1), ALLOWED
     softest = [
         gives(frame.only(laid), frame.places[node], settings)
         for node, laid in met(frame, worst.line)
     ]
     if softest:
-        yield f"{worst.worst:.2g} mm at worst", abs(worst.detail / max(softest) - 1)
+        wrong = abs(worst.detail / max(softest) - 1)
+        yield f"{worst.worst:.2g} mm at worst", wrong, ALLOWED_WHERE_SOFTEST
 
 
 def main():
@@ -94,7 +96,7 @@ def main():
     options = parser.parse_args()
     settings = shared_models.roomy(options.machine)
     manifest = str(shared_models.SHARED / "models" / "manifest.csv")
-    worst, compared = 0.0, 0
+    worst, compared, failed = 0.0, 0, 0
     for task in plan([manifest], Placement(), {}):
         if options.only not in task.model:
             continue
@@ -106,11 +108,11 @@ def main():
             continue
         if made.wireframe.strand_count > options.most:
             continue
-        for place, wrong in off(made.gcode, settings):
-            worst, compared = max(worst, wrong), compared + 1
+        for place, wrong, allowed in off(made.gcode, settings):
+            worst, compared, failed = max(worst, wrong), compared + 1, failed + (wrong > allowed)
             print(f"{task.model} {place}: {wrong:.1e}", flush=True)
     print(f"{compared} places compared, off by {worst:.1e} at worst")
-    sys.exit(worst > ALLOWED or compared == 0)
+    sys.exit(failed > 0 or compared == 0)
 
 
 if __name__ == "__main__":

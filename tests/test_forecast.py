@@ -1,6 +1,7 @@
 """The forecast: a model of heat, weight and pull on any G-code; no part of the certificate."""
 
 import base64
+import html
 import json
 import math
 import re
@@ -14,7 +15,7 @@ import wireprint
 from command import run
 from wireprint import Settings, _core, examples, forecast_terms, load_mesh, make, simulate
 from wireprint.forecast_terms import matter_of
-from wireprint.forecast_words import figure, sentences
+from wireprint.forecast_words import figure, sentences, unknown
 
 RULES = ["holds", "sags", "meets", "flows", "knots", "welds", "grips"]
 
@@ -240,6 +241,10 @@ def test_a_page_shows_strands_in_colours(cube, tmp_path, colour):
     parts = re.findall(r"(?<![\w+/])eN[\w+/]{200,}=*", text)
     told = [zlib.decompress(base64.b64decode(part)) for part in parts]
     assert any(b'"more than' in part and b'"no ' + colour.encode() in part for part in told)
+    found = simulate(target)
+    assert "What this forecast does not know" in text
+    words = [*sentences(found), *unknown(found.judge.settings)]
+    assert [html.unescape(one) for one in re.findall("<li>(.*?)</li>", text)] == words
 
 
 @pytest.mark.parametrize("colour", ["sag", "compliance", "flow", "weld"])

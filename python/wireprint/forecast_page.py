@@ -10,6 +10,7 @@ import numpy as np
 
 from wireprint._core import Scene, Strands
 from wireprint.forecast_scales import RULES, scale_of
+from wireprint.forecast_words import sentences, unknown
 from wireprint.view import BREACH_RADIUS_MM, camera_angles
 from wireprint.view_html import Page
 from wireprint.view_styles import BREACH, WHITE, Entry
@@ -72,7 +73,14 @@ def page(forecast: Forecast, figure: str, title: str) -> bytes:
     drawn, angles = _drawn(forecast, figure, title), camera_angles("iso")
     still = drawn.scene().png(_STILL_PX, angles, supersample=2, margins=(8.0,) * 4, ground=WHITE)
     sheet = Page(drawn.headline, drawn.size_mm, angles[:2], still)
-    sheet.add_marks(drawn.marks)
+    sheet.add_marks(drawn.marks, "worst")
+    sheet.add_words(
+        f"A forecast in words: {forecast.trust}, a model and no part of the certificate",
+        {
+            "What it says": sentences(forecast),
+            "What this forecast does not know": unknown(forecast.judge.settings),
+        },
+    )
     sheet.add_strands(drawn.strands, drawn.colours, drawn.entries, travels=False, gcode=None)
     return sheet.text().encode()
 

@@ -92,7 +92,8 @@ def figure(value: float) -> str:
         return f"{value:g}"
     rounded = float(f"{value:.1e}")
     decimals = max(0, 1 - math.floor(math.log10(abs(rounded))))
-    return f"{rounded:.{min(decimals, 4)}f}"
+    told = f"{rounded:.{min(decimals, 4)}f}"
+    return told if float(told) else "0"
 
 
 def _amount(value: float, unit: str) -> str:

@@ -21,7 +21,7 @@ from wireprint.view_texels import DIAMETER_STEP_MM, MOST_KINDS, box_of, heights_
 from wireprint.window.answer import encoded
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     import numpy.typing as npt
 
@@ -58,7 +58,9 @@ class Page:
         #: Middle of the bed, to which everything is told: mm.
         self._centre = np.zeros(3)
         self._breaches: Points = ()
+        self._called = ""
         self._weak: Points = ()
+        self._words = ""
         self._told: list[bytes] = []
         self._tell(
             "welcome",
@@ -70,13 +72,29 @@ class Page:
             materials=[],
         )
 
-    def add_marks(self, points: Points) -> None:
+    def add_marks(self, points: Points, called: str = "breach") -> None:
         """Mark points in red, which nothing hides; before anything is shown."""
-        self._breaches = points
+        self._breaches, self._called = points, called
 
     def add_weak(self, points: Points) -> None:
         """Mark points as weak, likewise."""
         self._weak = points
+
+    def add_words(self, title: str, sections: Mapping[str, Sequence[str]]) -> None:
+        """Say something below what is shown, once it is opened.
+
+        Parameters
+        ----------
+        title
+            What is said while it is closed.
+        sections
+            Sentences by their headings.
+        """
+        told = [f"<summary>{html.escape(title)}</summary>"]
+        for heading, sentences in sections.items():
+            listed = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences)
+            told.append(f"<h2>{html.escape(heading)}</h2><ul>{listed}</ul>")
+        self._words = f'<details id="words">{"".join(told)}</details>'
 
     def add_strands(
         self,
@@ -123,7 +141,7 @@ class Page:
 
     def text(self) -> str:
         """Return the page."""
-        return _page(self._title, self._still, b"".join(map(_counted, self._told)))
+        return _page(self._title, self._still, self._words, b"".join(map(_counted, self._told)))
 
     def _tell(self, event: str, arrays: dict[str, Any] | None = None, **head: Any) -> None:
         self._told.append(encoded({"event": event, **head}, arrays))
@@ -187,7 +205,7 @@ class Page:
             slabs_mm=heights_of(ends, slabs) if len(ends) else [0.0],
             motion=np.eye(4).tolist(),
             breaches=[
-                {"rule": "breach", "words": _place(place), "at_mm": self._moved(place)}
+                {"rule": self._called, "words": _place(place), "at_mm": self._moved(place)}
                 for place in self._breaches
             ],
             weak=[self._moved(place) for place in self._weak],
@@ -244,7 +262,7 @@ def _counted(told: bytes) -> bytes:
     return len(told).to_bytes(4, "little") + told
 
 
-def _page(title: str, still: bytes, told: bytes) -> str:
+def _page(title: str, still: bytes, words: str, told: bytes) -> str:
     """Return the page's text: the program and what it is told, deflated, and a policy of hashes."""
     static = resources.files("wireprint.window").joinpath("static")
     program = static.joinpath("studio.js").read_bytes()
@@ -264,6 +282,7 @@ def _page(title: str, still: bytes, told: bytes) -> str:
         "PROGRAM": _deflated(program),
         "DATA": _deflated(told),
         "TITLE": html.escape(title),
+        "WORDS": words,
     }
     return re.sub(r"\$([A-Z]+)\b", lambda found: parts[found[1]], template)
 
