@@ -195,6 +195,27 @@ def test_the_timeline_shows_what_lies_there_by_then_and_the_slabs_hide_what_is_a
     assert inked((0, FRONT, low / 2)) > 50
 
 
+def test_strands_are_drawn_as_they_relax_and_as_commanded_again(page):
+    until(page, "store.rest.value !== null")
+    drawn = "studio.view.strands.geometry.drawRange.count / 6"
+    kept = "studio.view.strands.material.uniforms.strands.value.image.data.slice(0, 4000).join()"
+    commanded = page.evaluate(drawn), page.evaluate(kept)
+    assert commanded[0] == page.evaluate("store.strandCount.value")
+    page.get_by_label("strands relaxed to chords").check()
+    relaxed = page.evaluate(drawn), page.evaluate(kept)
+    assert relaxed[0] == page.evaluate("studio.view.strands.relaxed.of.length")
+    assert relaxed[1] != commanded[1]
+    # The timeline goes by strands: of those that are not laid, nothing is drawn.
+    page.evaluate("store.timeS.value = store.totalS.value / 2")
+    shown = page.evaluate("store.shownStrands.value")
+    assert page.evaluate(drawn) == page.evaluate(
+        f"studio.view.strands.relaxed.of.filter((strand) => strand < {shown}).length"
+    )
+    page.evaluate("store.timeS.value = Infinity")
+    page.get_by_label("strands relaxed to chords").uncheck()
+    assert (page.evaluate(drawn), page.evaluate(kept)) == commanded
+
+
 def test_it_plays_to_the_end_and_shows_the_head_meanwhile(page):
     page.evaluate("store.rate.value = 300; store.timeS.value = store.totalS.value / 2")
     settled(page)

@@ -152,6 +152,32 @@ def test_strands_are_told_in_printing_order_with_their_times(talk):
     assert np.abs(places[inside][..., :2]).max() == pytest.approx(14, abs=0.6)
 
 
+def test_what_strands_relax_to_is_told_as_strands_in_their_place(tmp_path):
+    path = tmp_path / "bottle.stl"
+    path.write_bytes(examples.stl("bottle"))
+    with Talk(source_of(path, height_mm=40.0)) as talk:
+        head, printed = talk.wait("print")
+        _, arrays = talk.wait("rest")
+    chords, of = arrays["relaxed"], arrays["relaxed_of"]
+    assert len(chords) == len(of)
+    assert (np.diff(of.astype(int)) >= 0).all()
+    strands = printed["strands"]
+    assert (chords[:, 3] == strands[of, 3]).all()
+
+    def ends_mm(texels):
+        steps = texels[:, :3].copy().view("<u2").reshape(-1, 2, 3)
+        return np.array(head["low"]) + steps / 65535 * np.array(head["span"])
+
+    commanded, relaxed = ends_mm(strands), ends_mm(chords)
+    lengths = [np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) for ends in (commanded, relaxed)]
+    # Chords are shorter than the arcs that they are chords of, and end on the last of its strands.
+    assert 0.9 * lengths[0].sum() < lengths[1].sum() < 0.999 * lengths[0].sum()
+    start, run = commanded[of, 0], commanded[of, 1] - commanded[of, 0]
+    along = ((relaxed[:, 1] - start) * run).sum(axis=1) / np.maximum((run**2).sum(axis=1), 1e-9)
+    nearest = start + np.clip(along, 0, 1)[:, None] * run
+    assert np.linalg.norm(relaxed[:, 1] - nearest, axis=1).max() < 0.02
+
+
 def test_what_is_painted_is_told_as_triangles_of_the_marked_area(talk):
     talk.edit("mark", mark=box([-20, -20, -1], [20, 20, 14]))
     _, arrays = talk.wait("paint", lambda one: len(one["corners"]))

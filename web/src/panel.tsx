@@ -109,6 +109,17 @@ function tells(mode: Mode): boolean {
   return mode === "time" || print.timed;
 }
 
+/** Strands as they are commanded, or as the certificate says that they hang. */
+function Relaxed(): JSX.Element | null {
+  if (store.host.value === "page") return null;
+  return (
+    <label class="switch" title="A strand that hangs straightens to the chord between what holds it">
+      <input type="checkbox" checked={store.relaxes.value} onChange={() => (store.relaxes.value = !store.relaxes.value)} />
+      <span>strands relaxed to chords</span>
+    </label>
+  );
+}
+
 function Colours(): JSX.Element {
   const mode = store.mode.value;
   return (
@@ -127,6 +138,7 @@ function Colours(): JSX.Element {
           ))}
       </select>
       {mode === "feature" ? <Legend /> : mode === "breach" ? <p class="quiet">What breaks a rule is red.</p> : isFigure(mode) ? <Foretold /> : <Ramp />}
+      <Relaxed />
     </Section>
   );
 }
@@ -167,7 +179,9 @@ function facts(): [string, string][] {
   if (store.host.value === "page" && laid) found.push(["strands", `${(laid / 1000).toFixed(2)} m`]);
   if (filament !== undefined && grams !== undefined)
     found.push(["filament", `${(filament / 1000).toFixed(2)} m · ${grams.toFixed(2)} g${cost ? ` · ${cost.toFixed(2)}` : ""}`]);
+  const hanging = store.rest.value?.chord_deviation_mm;
   if (off != null) found.push(["off the surface", `${off.toFixed(2)} mm on average`]);
+  if (hanging != null) found.push(["relaxed", `${hanging.toFixed(2)} mm`]);
   if (regions) found.push(["in layers", `${(regions.area_mm2 / 100).toFixed(1)} cm²`]);
   if (figures.turn_to_fit_deg) found.push(["turned to fit", `${figures.turn_to_fit_deg.toFixed(1)}°`]);
   for (const { name, amount } of store.model.value?.shares ?? []) found.push([name, amount]);

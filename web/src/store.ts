@@ -41,6 +41,8 @@ export const showsModel = signal(true);
 export const showsWire = signal(true);
 export const showsTravels = signal(false);
 export const travelCount = signal(0);
+/** Whether strands are drawn as they hang, and not as commanded. */
+export const relaxes = signal(false);
 export const mode = signal<Mode>("feature");
 /** What the colour ramp's ends stand for. */
 export const range = signal<[number, number]>([0, 0]);

@@ -2,24 +2,20 @@
 import {
   BufferGeometry,
   Color,
-  DataTexture,
+  type DataTexture,
   DoubleSide,
-  FloatType,
   GLSL3,
   LineSegments,
   Mesh,
-  NearestFilter,
   RawShaderMaterial,
-  RedFormat,
-  RGBAIntegerFormat,
-  UnsignedIntType,
   Vector2,
   Vector3,
   Vector4,
   Sphere,
 } from "three";
 import type { Label, Print } from "./protocol";
-import { LINE_FRAGMENT, LINE_VERTEX, MOST_KINDS, TUBE_FRAGMENT, TUBE_VERTEX, WIDTH } from "./strandshaders";
+import { LINE_FRAGMENT, LINE_VERTEX, MOST_KINDS, TUBE_FRAGMENT, TUBE_VERTEX } from "./strandshaders";
+import { amounts, texels } from "./textures";
 import { RAMP, type Palette } from "./theme";
 
 /** Figures of a forecast; see forecast_scales.py. */
@@ -35,30 +31,16 @@ function rgb([r, g, b]: [number, number, number]): Vector3 {
   return new Vector3(r / 255, g / 255, b / 255);
 }
 
-/** Rows of a texture that holds so many texels. */
-function rowsFor(count: number): number {
-  return Math.max(Math.ceil(count / WIDTH), 1);
-}
-
-function texels(strands: Uint32Array): DataTexture {
-  const rows = rowsFor(strands.length / 4);
-  const filled = new Uint32Array(WIDTH * rows * 4);
-  filled.set(strands);
-  const texture = new DataTexture(filled, WIDTH, rows, RGBAIntegerFormat, UnsignedIntType);
-  texture.internalFormat = "RGBA32UI";
-  texture.minFilter = texture.magFilter = NearestFilter;
-  texture.needsUpdate = true;
-  return texture;
-}
-
-function amounts(shares: Float32Array): DataTexture {
-  const rows = rowsFor(shares.length);
-  const filled = new Float32Array(WIDTH * rows);
-  filled.set(shares);
-  const texture = new DataTexture(filled, WIDTH, rows, RedFormat, FloatType);
-  texture.internalFormat = "R32F";
-  texture.needsUpdate = true;
-  return texture;
+/** How many of the first numbers up to a count are below something, which all after them are not. */
+function countBelow(count: number, isBelow: (number: number) => boolean): number {
+  let low = 0;
+  let high = count;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (isBelow(middle)) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
@@ -69,6 +51,11 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
   private packed = new Uint32Array();
   private totalS = 0;
   private figures: Partial<Record<Figure, Float32Array>> = {};
+  /** What strands relax to, as texels, and the strand in which each ends, ascending; null: not known. */
+  private relaxed: { packed: Uint32Array; of: Uint32Array } | null = null;
+  private relaxes = false;
+  private mode: Mode = "feature";
+  private untilS = Infinity;
   private slabCount = 1;
   private readonly lines: LineSegments<BufferGeometry, RawShaderMaterial>;
 
@@ -141,12 +128,38 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
     this.packed = strands as Uint32Array<ArrayBuffer>;
     this.totalS = print.total_s;
     this.figures = {};
+    this.relaxed = null;
     this.slabCount = print.slabs_mm.length;
-    (uniforms.strands!.value as DataTexture).dispose();
-    uniforms.strands!.value = texels(strands);
     (uniforms.low!.value as Vector3).fromArray(print.low);
     (uniforms.span!.value as Vector3).fromArray(print.span);
     uniforms.diameterStep!.value = print.diameter_step_mm;
+    this.fill();
+  }
+
+  /** Takes what the strands of this print relax to. */
+  hang(packed: Uint32Array, of: Uint32Array): void {
+    this.relaxed = { packed, of };
+    this.fill();
+  }
+
+  /** Draws strands as they hang, where that is known, or as commanded. */
+  relax(relaxes: boolean): void {
+    this.relaxes = relaxes;
+    this.fill();
+  }
+
+  /** Fills the textures with what is drawn, up to the time that is shown. */
+  private fill(): void {
+    const uniforms = this.material.uniforms;
+    (uniforms.strands!.value as DataTexture).dispose();
+    uniforms.strands!.value = texels(this.drawn?.packed ?? this.packed);
+    this.colourBy(this.mode);
+    this.showUntil(this.untilS);
+  }
+
+  /** What is drawn in place of the strands. */
+  private get drawn(): { packed: Uint32Array; of: Uint32Array } | null {
+    return this.relaxes ? this.relaxed : null;
   }
 
   /** Colours each kind, and leaves out those that are switched off. */
@@ -167,6 +180,7 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
 
   /** Chooses what colours tell; returns what the ramp's ends stand for. */
   colourBy(mode: Mode): [number, number] {
+    this.mode = mode;
     const uniforms = this.material.uniforms;
     uniforms.mode!.value = mode === "feature" ? 0 : mode === "breach" ? 2 : 1;
     if (mode === "feature" || mode === "breach") return [0, 0];
@@ -189,7 +203,8 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
   private setShares(shares: Float32Array): void {
     const uniforms = this.material.uniforms;
     (uniforms.values!.value as DataTexture).dispose();
-    uniforms.values!.value = amounts(shares);
+    const of = this.drawn?.of;
+    uniforms.values!.value = amounts(of ? Float32Array.from(of, (strand) => shares[strand] ?? -1) : shares);
   }
 
   private amounts(mode: "time" | "speed" | "slab"): [(i: number) => number, number, number] {
@@ -207,31 +222,35 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
 
   /** Shows what is laid by a time, s; returns how many strands that are, the last one begun. */
   showUntil(timeS: number): number {
+    this.untilS = timeS;
     const uniforms = this.material.uniforms;
     const begun = this.begunBy(timeS);
     uniforms.last!.value = -1;
     if (begun > 0) {
       const [from, to] = [this.when[2 * begun - 2]!, this.when[2 * begun - 1]!];
       if (timeS < to) {
-        uniforms.last!.value = begun - 1;
+        const piece = this.drawnOf(begun) - 1;
+        // Of a chord that ends in a later strand nothing is drawn yet.
+        const isDrawn = (this.drawn?.of[piece] ?? begun - 1) === begun - 1;
+        uniforms.last!.value = isDrawn ? piece : -1;
         uniforms.laid!.value = (timeS - from) / Math.max(to - from, 1e-6);
       }
     }
-    this.geometry.setDrawRange(0, 6 * begun);
-    this.lines.geometry.setDrawRange(0, 2 * begun);
+    const drawn = this.drawnOf(begun);
+    this.geometry.setDrawRange(0, 6 * drawn);
+    this.lines.geometry.setDrawRange(0, 2 * drawn);
     return begun;
+  }
+
+  /** How many pieces are drawn where so many strands are begun. */
+  private drawnOf(begun: number): number {
+    const of = this.drawn?.of;
+    return of ? countBelow(of.length, (i) => of[i]! < begun) : begun;
   }
 
   /** How many strands are begun before a time, s. */
   begunBy(timeS: number): number {
-    let low = 0;
-    let high = this.count;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.when[2 * middle]! < timeS) low = middle + 1;
-      else high = middle;
-    }
-    return low;
+    return countBelow(this.count, (i) => this.when[2 * i]! < timeS);
   }
 
   /** Where the tip is at a time, s: on a strand, or on the way to the next one. */

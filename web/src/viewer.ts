@@ -132,6 +132,7 @@ export class Viewer {
           break;
         case "rest":
           store.rest.value = head as unknown as NonNullable<typeof store.rest.value>;
+          this.view.strands.hang(arrays["relaxed"] as Uint32Array, arrays["relaxed_of"] as Uint32Array);
           break;
         case "failed":
           store.failure.value = head["words"] as string;
@@ -229,6 +230,10 @@ export class Viewer {
       // A forecast that comes changes what colours tell.
       const { value: print } = store.print;
       if (store.forecast.value ?? print) store.range.value = view.strands.colourBy(store.mode.value);
+      view.redraw();
+    });
+    this.follows(() => {
+      view.strands.relax(store.relaxes.value);
       view.redraw();
     });
     this.follows(() => {

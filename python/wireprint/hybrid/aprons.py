@@ -76,14 +76,16 @@ def aprons(
     unsure = _leaves(outer[layers], (rims, walled), first)
     layers, first, step = layers[unsure], first[unsure], step[unsure]
     below, rims, walled = below[unsure], rims[unsure], walled[unsure]
-    reached = shapely.union(buffered(rims, first), buffered(walled, step))
-    loose = shapely.difference(outer[layers], reached)
+    loose = shapely.difference(outer[layers], buffered(rims, first))
+    loose = shapely.difference(loose, buffered(_about(walled, loose, step), step))
     rims = shapely.union(rims, walled)
     # Walls that close in find the fill of the layer below under them, where there is one.
     closing = shapely.intersection(loose, below)
-    inner = np.where(shapely.is_empty(closing), closing, walls[layers - 1])
-    inner = buffered(inner, _MOST * step)
-    loose = shapely.union(shapely.difference(loose, below), shapely.difference(closing, inner))
+    far = np.flatnonzero(_leaves(closing, (walls[layers - 1],), _MOST * step))
+    inner = buffered(walls[layers[far] - 1], _MOST * step[far])
+    alone = np.full(len(layers), shapely.MultiLineString(), dtype=object)
+    alone[far] = shapely.difference(closing[far], inner)
+    loose = shapely.union(shapely.difference(loose, below), alone)
     near = shapely.distance(loose, rims) < _MOST * step
     wanted = near & (shapely.length(loose) > _SHORTEST * recipe.width_mm)
     layers, below, loose, rims = (each[wanted] for each in (layers, below, loose, rims))
@@ -94,7 +96,7 @@ def aprons(
     reach = np.array([_reach(*pair) for pair in zip(loose, rims, strict=True)])
     reach = np.minimum(reach + step, _MOST * step)
     room = shapely.intersection(between, buffered(loose, reach))
-    room = shapely.intersection(room, buffered(rims, reach))
+    room = shapely.intersection(room, buffered(_about(rims, loose, 2 * reach), reach))
     room = shapely.difference(room, buffered(walls[layers], _DOUBLE * step))
     groups = []
     for number in range(1, _MOST + 1):
@@ -107,6 +109,14 @@ def aprons(
         least_mm = _SHORTEST * recipe.width_mm
         groups.append(Group.of_strings(strings, layers, least_mm, is_inside=True))
     return groups
+
+
+def _about(lines: Geometries, places: Geometries, reach_mm: Floats) -> Geometries:
+    """Return what of lines is in the box about some places, grown by a reach on all sides."""
+    low, high = np.split(shapely.bounds(places), 2, axis=1)
+    boxes = shapely.box(*(low - reach_mm[:, None]).T, *(high + reach_mm[:, None]).T)
+    found: Geometries = shapely.intersection(lines, boxes)
+    return found
 
 
 def _leaves(lines: Geometries, rims: tuple[Geometries, ...], step_mm: Floats) -> Bools:

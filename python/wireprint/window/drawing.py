@@ -86,6 +86,35 @@ def drawn(made: WirePrint, given: Mesh) -> tuple[dict[str, Any], Arrays]:
     return head, arrays
 
 
+def hanging(made: WirePrint, head: dict[str, Any], strands: npt.NDArray[np.uint32]) -> Arrays:
+    """Return what the strands of a print relax to, to be drawn in their place.
+
+    Parameters
+    ----------
+    made
+        The print, with its certificate.
+    head, strands
+        How its strands are drawn; see `drawn`.
+
+    Returns
+    -------
+    dict
+        ``relaxed`` (M, 4) uint32: chords where strands hang, else the strands, as texels.
+        ``relaxed_of`` (M,) uint32: the strand in which each ends, ascending.
+    """
+    certificate = made.certificate
+    assert certificate is not None, "only prints that were judged are drawn"  # noqa: S101
+    order = np.argsort(certificate.core.relaxed_strands, kind="stable")
+    of = certificate.core.relaxed_strands[order].astype("<u4")
+    ends = certificate.core.relaxed[order] - np.array([*made.settings.printer.bed.centre_mm, 0.0])
+    low, span = np.array(head["low"]), np.array(head["span"])
+    # Kind, diameter and slab are those of the strand.
+    nothing = np.zeros(len(of), np.uint8)
+    texels = packed(ends, low, span, nothing, nothing.astype(np.float64), nothing)
+    texels[:, 3] = strands[of, 3]
+    return {"relaxed": texels, "relaxed_of": of}
+
+
 def _times(made: WirePrint, lines: Integers) -> tuple[Floats, Floats, float]:
     """Return when each strand is begun and done, s, and when all is."""
     planned = document.timing(made.gcode, made.settings, per_move=True)

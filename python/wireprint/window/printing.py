@@ -11,7 +11,7 @@ from wireprint import report
 from wireprint.pipeline import Clock, make
 from wireprint.wholeness import is_whole, shortfall
 from wireprint.window.answer import encoded
-from wireprint.window.drawing import drawn
+from wireprint.window.drawing import drawn, hanging
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -103,7 +103,7 @@ class Printing:
         self._on_stage("paint")
         yield "paint", encoded({"event": "paint"}, {"corners": self._painted()})
         self._on_stage("rest")
-        yield "rest", encoded(self._rest())
+        yield "rest", encoded(self._rest(), hanging(self._made, head, arrays["strands"]))
 
     def prepare(self) -> None:
         """Make what the next stroke will ask for, while nobody waits for it."""

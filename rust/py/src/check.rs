@@ -289,6 +289,12 @@ impl Certificate {
     fn relaxed<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         arrays::segments(py, self.core.relaxed.iter().map(|piece| piece.ends))
     }
+
+    /// The strand in which each of these ends, (M,) uint32.
+    #[getter]
+    fn relaxed_strands<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        arrays::vector(py, self.core.relaxed.iter().map(|piece| piece.strand).collect())
+    }
 }
 
 /// Coverage, and deviation as commanded and relaxed.
