@@ -106,9 +106,22 @@ def test_towers(certified_or_refused, radii, data, lobes, depth, way):
     certified_or_refused(*tower(radii, heights, lobes, depth), way)
 
 
+def disc(rim_mm):
+    """A disc around a stem, whose rim is so thick where it begins and ends in an edge."""
+    half = rim_mm / 2
+    return Mesh.from_arrays(*tower([10, 10, 30, 10, 10], [20, half, half, 20], 2, 0.0))
+
+
+def test_a_rim_between_two_slices_is_printed():
+    # Half as thick as the lowest slab.
+    figures = make(disc(1.2), Settings.load()).figures()
+    assert figures["certified"]
+    assert figures["coverage"] > 0.99
+
+
 def test_what_is_too_flat_to_be_followed_is_named():
-    # A disc's rim that is half as thick as the lowest slab, around a stem.
-    mesh = Mesh.from_arrays(*tower([10, 10, 30, 10, 10], [20, 0.6, 0.6, 20], 2, 0.0))
+    # Thinner than a strand.
+    mesh = disc(0.6)
     figures = make(mesh, Settings.load(), partial=True).figures()
     assert figures["certified"]
     assert not figures["whole"]

@@ -151,14 +151,16 @@ fn crests_are_level_lines_along_which_the_surface_turns() {
     let found = |section: &[(f64, f64)], least| -> Vec<(f64, bool, f64)> {
         let mesh = bar(7.0, section);
         assert!(mesh.volume().abs() > 1.0);
-        crests(&mesh, least).iter().map(|c| (c.z, c.falls, c.length(|_| true))).collect()
+        crests(&mesh, least, 4.0).iter().map(|c| (c.z, c.falls, c.length(|_| true))).collect()
     };
-    // A keel and a ridge; a valley above and a crown below; walls that are steep; a level top.
+    // A keel and a ridge; a valley above and a crown below, between edges; steep ones; a level top.
     let diamond = [(0.0, 0.0), (4.0, 1.0), (0.0, 2.0), (-4.0, 1.0)];
     assert_eq!(found(&diamond, 1.0), [(0.0, false, 7.0), (2.0, true, 7.0)]);
     assert_eq!(found(&diamond, 7.1), []);
     let grooved = [(0.0, 1.0), (-6.0, 3.0), (-6.0, -3.0), (0.0, -1.0), (6.0, -3.0), (6.0, 3.0)];
-    assert_eq!(found(&grooved, 1.0), [(-1.0, true, 7.0), (1.0, false, 7.0)]);
-    assert_eq!(found(&[(0.0, 0.0), (1.0, 4.0), (0.0, 8.0), (-1.0, 4.0)], 1.0), []);
-    assert_eq!(found(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)], 1.0), []);
+    let edges = [(-3.0, false, 7.0), (-1.0, true, 7.0), (1.0, false, 7.0), (3.0, true, 14.0)];
+    assert_eq!(found(&grooved, 1.0), edges);
+    let steep = [(0.0, 0.0), (1.0, 4.0), (0.0, 8.0), (-1.0, 4.0)];
+    assert_eq!(found(&steep, 1.0), [(0.0, false, 7.0), (8.0, true, 7.0)]);
+    assert_eq!(found(&[(0.0, 0.0), (9.0, 0.0), (9.0, 3.0), (0.0, 3.0)], 1.0), []);
 }

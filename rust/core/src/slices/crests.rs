@@ -6,13 +6,13 @@
 
 use std::collections::BTreeMap;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::features::FLAT_STEP;
 use crate::mesh::{Mesh, NO_FACE};
 
-/// Faces steeper than this (cosine of the normal's angle from the vertical) part at once from each
-/// other: contours close to such a line cover what lies beside it.
+/// Faces steeper than this (cosine of the normal's angle from the vertical) are told by their corners
+/// alone.
 const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Lines that rise by more than this part of their length are not level: a degree.
 const RISE: f64 = 0.017;
@@ -36,9 +36,11 @@ impl Crest {
     }
 }
 
-/// The crests of a mesh of at least some length in sum, mm, ascending.
+/// The crests of a mesh of at least `least` mm in sum, ascending.
+///
+/// Rounds so fine that a face is as good as level are followed over `reach` mm to either side.
 #[must_use]
-pub fn crests(mesh: &Mesh, least: f64) -> Vec<Crest> {
+pub fn crests(mesh: &Mesh, least: f64, reach: f64) -> Vec<Crest> {
     // By rounded height; ordered, so that the outcome is too.
     let mut by_height: BTreeMap<(i64, bool), Crest> = BTreeMap::new();
     for (face, neighbours) in mesh.neighbours.iter().enumerate() {
@@ -50,9 +52,14 @@ pub fn crests(mesh: &Mesh, least: f64) -> Vec<Crest> {
             if !is_level || beyond == NO_FACE || (beyond as usize) < face {
                 continue;
             }
-            let z = a.z.midpoint(b.z);
-            let sides = [face, beyond as usize].map(|face| falls(mesh, face, z));
-            let [Some(falls), Some(other)] = sides else { continue };
+            let middle = a.midpoint(b);
+            let z = middle.z;
+            let across = (b - a).truncate().perp().normalize_or_zero();
+            let third = corners[(side + 2) % 3].truncate() - middle.truncate();
+            let away = if across.dot(third) < 0.0 { -across } else { across };
+            let sides = [(face, away), (beyond as usize, -away)];
+            let turns = sides.map(|(face, away)| falls(mesh, [a, b], away, face, reach));
+            let [Some(falls), Some(other)] = turns else { continue };
             if falls == other {
                 let key = ((z / FLAT_STEP).round() as i64, falls);
                 let none = Crest { z, falls, lines: Vec::new() };
@@ -64,13 +71,50 @@ pub fn crests(mesh: &Mesh, least: f64) -> Vec<Crest> {
     by_height.into_values().filter(|crest| crest.length(|_| true) >= least).collect()
 }
 
-/// Whether a face falls from a line at a height, or rises; None where it is steep, or nearly level.
-fn falls(mesh: &Mesh, face: usize, z: f64) -> Option<bool> {
-    let [a, b, c] = mesh.corners(face);
-    let normal = (b - a).cross(c - a);
-    let (low, high) = (z - a.z.min(b.z).min(c.z), a.z.max(b.z).max(c.z) - z);
-    let is_flat = low.max(high) <= FLAT_STEP;
-    (normal.z.abs() > STEEP * normal.length() && !is_flat).then_some(low > high)
+/// Whether the surface falls from a line's middle across one of the faces beside it, or rises; None
+/// where it is as good as level.
+///
+/// A fine round falls by less within one face than tells it from a flat: it is followed from face to
+/// face, no farther than `reach` mm.
+fn falls(mesh: &Mesh, line: [DVec3; 2], away: DVec2, face: usize, reach: f64) -> Option<bool> {
+    let middle = line[0].midpoint(line[1]);
+    let from = middle.truncate();
+    let (mut face, mut gone, mut upward) = (face, 0.0, None);
+    while gone <= reach {
+        let corners = mesh.corners(face);
+        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        let folds = *upward.get_or_insert(normal.z > 0.0) != (normal.z > 0.0);
+        // Seen from above such a face is a line, or lies over the last one.
+        if folds || normal.z.abs() <= STEEP * normal.length() {
+            let off = corners.iter().filter(|c| !line.contains(c)).map(|c| c.z - middle.z);
+            let (down, up) = off.fold((0.0, 0.0), |(d, u): (f64, f64), z| (d.max(-z), u.max(z)));
+            return (down.max(up) > FLAT_STEP).then_some(down > up);
+        }
+        let (side, along, z) = exit(&corners, from, away)?;
+        if (z - middle.z).abs() > FLAT_STEP {
+            return Some(z < middle.z);
+        }
+        let next = mesh.neighbours[face][side];
+        if next == NO_FACE || along <= gone {
+            return None;
+        }
+        (face, gone) = (next as usize, along);
+    }
+    None
+}
+
+/// Where a ray in plan leaves a triangle: the number of its side, how far away, mm, and the height, mm.
+fn exit(corners: &[DVec3; 3], from: DVec2, away: DVec2) -> Option<(usize, f64, f64)> {
+    let crossing = |side: usize| {
+        let (a, b) = (corners[side], corners[(side + 1) % 3]);
+        let (off_a, off_b) = [a, b].map(|p| away.perp_dot(p.truncate() - from)).into();
+        if (off_a < 0.0) == (off_b < 0.0) {
+            return None;
+        }
+        let place = a.lerp(b, off_a / (off_a - off_b));
+        Some((side, away.dot(place.truncate() - from), place.z))
+    };
+    (0..3).filter_map(crossing).max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 #[cfg(test)]

@@ -21,8 +21,10 @@ use self::wanted::{Wanted, wanted_heights};
 use super::bare_crests::Crests;
 use super::cut::cut_map;
 use super::headroom::{Headroom, extent_of};
+use super::hollows;
 use super::plane::{Plane, Side};
 use super::profile::Profile;
+use super::shown::Shown;
 use super::tuning::{MOST_CANDIDATES, REACH, SAME, STEP, WIDE};
 use crate::coil::roomy;
 use crate::head::Head;
@@ -31,7 +33,7 @@ use crate::stroke::{SLACK, Strokes};
 
 /// Costs of the slabs below this many candidates are worth a thread of their own.
 const FEW: usize = 32;
-/// Heights are chosen so many times more for crests that would be bare.
+/// Heights are chosen so many times more for crests and hollows that would be bare.
 const ROUNDS: usize = 3;
 
 /// Chooses the levels of `mesh`, bottom up.
@@ -60,11 +62,15 @@ pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Lev
     let mut levels = chosen(&wanted);
     let mut crests = Crests::new(mesh, (first, last), params.strand, WIDE * params.free_end);
     for _ in 0..ROUNDS {
-        let bare = crests.take_bare(mesh, &levels);
+        let slices = Shown::all(mesh, &levels);
+        let features: Vec<f64> = wanted.iter().map(|w| w.low).collect();
+        let hidden = hollows::bare(mesh, &slices, &features, WIDE * params.free_end);
+        let mut bare = crests.take_bare(&slices);
+        bare.extend(hidden.into_iter().map(|z| (z, z)));
         if bare.is_empty() {
             break;
         }
-        wanted.extend(bare.into_iter().map(|(low, high)| Wanted::crest(low, high)));
+        wanted.extend(bare.into_iter().map(|(low, high)| Wanted::bare(low, high)));
         wanted.sort_by(|a, b| a.low.total_cmp(&b.low));
         levels = chosen(&wanted);
     }

@@ -6,12 +6,14 @@ mod cut;
 pub mod features;
 mod headroom;
 pub mod heights;
+mod hollows;
 mod level;
 mod masks;
 mod outlines;
 mod plane;
 mod profile;
 mod ranks;
+mod shown;
 mod trace;
 mod tuning;
 

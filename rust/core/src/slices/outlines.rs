@@ -12,3 +12,12 @@ pub struct Loop {
     /// Whether the last point joins the first.
     pub closed: bool,
 }
+
+impl Loop {
+    /// Its segments, in their order.
+    pub fn segments(&self) -> impl Iterator<Item = [DVec2; 2]> {
+        let first = self.points.first().filter(|_| self.closed);
+        let next = self.points.iter().skip(1).chain(first);
+        self.points.iter().zip(next).map(|(&a, &b)| [a, b])
+    }
+}

@@ -23,8 +23,8 @@ pub struct Wanted {
 }
 
 impl Wanted {
-    /// A level crest beside which the surface would be bare, with what is cut beside it.
-    pub fn crest(low: f64, high: f64) -> Self {
+    /// A range beside which the surface would be bare unless a level holds it.
+    pub fn bare(low: f64, high: f64) -> Self {
         Self { low, high, size: 0.0, wide: true, begins: false, ends: false }
     }
 }

@@ -1,0 +1,100 @@
+//! What the slices of chosen levels would show.
+
+use glam::DVec2;
+
+use super::cut::cut_map;
+use super::level::Level;
+use super::outlines::Loop;
+use super::plane::{Plane, Side};
+use crate::geometry::polygon;
+use crate::geometry::segments::Segments;
+use crate::mesh::Mesh;
+
+/// Places closer than this are one, mm: more than rounding …
+const SAME: f64 = 1e-6;
+/// … and so far beside a line is beside it, however it was rounded; less than any printer tells.
+const ASIDE: f64 = 1e-5;
+
+/// One of the slices of a level.
+#[derive(Clone)]
+pub struct Shown {
+    /// Where it is cut.
+    pub plane: Plane,
+    /// Whose it is.
+    pub level: usize,
+    rings: Vec<Vec<DVec2>>,
+    segments: Segments,
+}
+
+impl Shown {
+    /// The slices of some levels, bottom up.
+    pub fn all(mesh: &Mesh, levels: &[Level]) -> Vec<Self> {
+        let cuts = levels.iter().enumerate().flat_map(|(number, level)| {
+            let below = std::iter::once(level.low).chain(level.between.iter().copied());
+            let below = below.map(|z| Plane { z, side: Side::Below });
+            below.chain([Plane { z: level.high, side: Side::Above }]).map(move |p| (number, p))
+        });
+        let (numbers, planes): (Vec<usize>, Vec<Plane>) = cuts.unzip();
+        let cut = cut_map(mesh, &planes, |loops| {
+            let rings = rings(&loops);
+            let segments = segments(&loops, &rings);
+            (rings, segments)
+        });
+        let parts = cut.into_iter().zip(numbers.into_iter().zip(planes));
+        let slice = |((rings, segments), (level, plane))| Self { plane, level, rings, segments };
+        let mut all: Vec<Self> = parts.map(slice).collect();
+        // What lies on the bed is told after what is above it.
+        all.sort_by(|a, b| a.plane.z.total_cmp(&b.plane.z));
+        all
+    }
+
+    /// Whether a place lies within the model here.
+    pub fn holds(&self, place: DVec2) -> bool {
+        holds(&self.rings, place)
+    }
+
+    /// Whether one of its outlines passes a place at height `z` within `reach` mm.
+    pub fn covers(&self, place: DVec2, z: f64, reach: f64) -> bool {
+        let square = self.segments.nearest(place, 0).map_or(f64::INFINITY, |n| n.square);
+        square + (self.plane.z - z).powi(2) <= reach * reach
+    }
+}
+
+fn rings(loops: &[Loop]) -> Vec<Vec<DVec2>> {
+    loops.iter().filter(|l| l.closed).map(|l| l.points.clone()).collect()
+}
+
+fn holds(rings: &[Vec<DVec2>], place: DVec2) -> bool {
+    polygon::is_within(rings.iter().map(Vec::as_slice), place)
+}
+
+/// The outlines without the slits that have no width, as a bore leaves at its very bottom: what lies on
+/// both sides of one is printed as a whole.
+fn segments(loops: &[Loop], rings: &[Vec<DVec2>]) -> Segments {
+    let all: Vec<[DVec2; 2]> = loops.iter().flat_map(Loop::segments).collect();
+    let is_slit = |(&[a, b], doubled): (&[DVec2; 2], bool)| {
+        let left = (b - a).perp().normalize_or_zero() * ASIDE;
+        doubled && holds(rings, a.midpoint(b) + left)
+    };
+    let kept = all.iter().zip(doubled(&all)).filter(|at| !is_slit(*at)).map(|(ends, _)| *ends);
+    Segments::new(&kept.collect::<Vec<_>>())
+}
+
+/// Which segments another one goes back.
+fn doubled(segments: &[[DVec2; 2]]) -> Vec<bool> {
+    let middles: Vec<DVec2> = segments.iter().map(|[a, b]| a.midpoint(*b)).collect();
+    let mut order: Vec<usize> = (0..segments.len()).collect();
+    order.sort_by(|i, j| middles[*i].x.total_cmp(&middles[*j].x));
+    let mut found = vec![false; segments.len()];
+    for (place, &one) in order.iter().enumerate() {
+        let later = order[place + 1..].iter().copied();
+        for other in later.take_while(|j| middles[*j].x - middles[one].x <= SAME) {
+            let [[a, b], [c, d]] = [segments[one], segments[other]];
+            if a.distance(d).max(b.distance(c)) <= SAME {
+                found[one] = true;
+                found[other] = true;
+            }
+        }
+    }
+    found
+}
