@@ -577,6 +577,8 @@ def within(
 def order_lattice(
     nodes: npt.NDArray[np.float64],
     edges: Sequence[Sequence[int]],
+    struts: Sequence[int],
+    knees: npt.NDArray[np.float64],
     head: Mapping[str, object],
     rules: Mapping[str, object],
 ) -> tuple[list[tuple[int, bool, bool]], list[tuple[int, str]]]: ...

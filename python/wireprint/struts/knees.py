@@ -1,102 +1,104 @@
-"""Struts with knees: short level pieces at their ends, so that a flat tip fits in.
+"""Forms of struts: straight, or with knees: short level pieces at their ends, so that a flat tip fits in.
 
 A nozzle's tip is flat. Where a strut rises to a node that another one has reached already, the edge
-of the tip would push into that one before the middle is there; where one begins at a node from
-which another one rises, the tip would press that down; and a strut that falls would have its own
-beginning under the tip. Pieces as long as the tip reaches, level with the nodes, are what zigzags
-have, too: level, then fall.
+of the tip would push into that one before the middle is there; and where one begins at a node from
+which another one rises, the tip would press that down. Pieces as long as the tip reaches, level with the
+nodes, are what zigzags have, too. Which form a strut has is for the search to find: knees make room
+for what comes later at a node, and take room beside it.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
-
-from wireprint.struts.graph import Graph
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint.settings import Settings
+    from wireprint.struts.graph import Graph
 
+    Floats = npt.NDArray[np.float64]
     Ints = npt.NDArray[np.int64]
+
+#: Of a strand: as much may lie under the tip's edge, somewhat less than a joint is pressed flat.
+_SQUASH: Final = 0.45
+#: By how much of its radius a knee is farther than the tip's edge, at least.
+_CLEAR: Final = 0.05
 
 
 @dataclass(frozen=True)
-class Kneed:
-    """A graph whose struts may be of two pieces, and which strut each piece is of."""
+class Forms:
+    """Forms that struts may have, those of each strut in a row."""
 
-    graph: Graph
-    #: Number of the strut, (M,).
+    #: Number of the strut, (F,).
     strut: Ints
-    #: At which end of it the piece is, 0 or 1; -1: in between, or all of it.
-    side: Ints
+    #: Where it bends near either node, (F, 2, 3), mm; at the node itself where it does not.
+    knees: Floats
 
-    def whole(self, numbers: Ints) -> tuple[Ints, Ints]:
-        """Return where in an order of pieces each strut begins and ends, by places in it.
-
-        Parameters
-        ----------
-        numbers
-            The pieces in the order of printing.
-
-        Returns
-        -------
-        first, last : ndarray
-            Of each strut, in the order in which struts are begun, (S,).
-        """
-        of = self.strut[numbers]
-        _, first = np.unique(of, return_index=True)
-        _, last = np.unique(of[::-1], return_index=True)
-        order = np.argsort(first)
-        return first[order], (len(of) - 1 - last)[order]
-
-    def turned(self, numbers: Ints, reversed_: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
-        """Tell of which struts the first pieces begin at the second end.
-
-        Parameters
-        ----------
-        numbers, reversed_
-            The first piece of each strut, and whether it is turned, (S,).
-        """
-        side = self.side[numbers]
-        found: npt.NDArray[np.bool_] = np.where(side < 0, reversed_, side == 1)
-        return found
+    def pieces(self, graph: Graph, forms: Ints, reversed_: npt.NDArray[np.bool_]) -> Pieces:
+        """Return the straight pieces of forms in an order, each in its direction."""
+        edges = graph.nodes[graph.edges[self.strut[forms]]]
+        points = np.stack(
+            [edges[:, 0], self.knees[forms, 0], self.knees[forms, 1], edges[:, 1]], axis=1
+        )
+        points[reversed_] = points[reversed_][:, ::-1]
+        ends = np.stack([points[:, :-1], points[:, 1:]], axis=2)
+        real = (ends[:, :, 0] != ends[:, :, 1]).any(axis=2)
+        numbers = np.repeat(np.arange(len(forms)), real.sum(axis=1))
+        return Pieces(ends[real], numbers)
 
 
-def kneed(graph: Graph, settings: Settings) -> Kneed:
-    """Give every strut that rises a level piece at each end that it shares with others.
+@dataclass(frozen=True)
+class Pieces:
+    """Straight pieces in the order of printing."""
 
-    Upright struts have none, for no direction is theirs; nor have those that are too short.
+    #: Both ends of each, mm, (P, 2, 3).
+    ends: Floats
+    #: Which of the strokes each is of, ascending, (P,).
+    stroke: Ints
+
+    def first(self) -> Ints:
+        """Return the first piece of each stroke."""
+        return np.unique(self.stroke, return_index=True)[1]
+
+    def last(self) -> npt.NDArray[np.bool_]:
+        """Tell which pieces end a stroke, (P,)."""
+        return np.append(np.diff(self.stroke) > 0, True)
+
+
+def forms(graph: Graph, settings: Settings) -> Forms:
+    """Return the forms that each strut may have: straight, and with knees where these may help.
+
+    A strut that rises more gently than a joint is pressed flat under the tip is straight; so is an
+    upright one, for no direction is its own. Knees are as long as the tip reaches (its radius and one
+    strand), or just longer than its radius.
     """
-    reach_mm = settings.printer.head.tip_radius_mm + settings.strand_mm
+    radius_mm, strand_mm = settings.printer.head.tip_radius_mm, settings.strand_mm
     ends = graph.ends
+    rise = np.abs(ends[:, 1, 2] - ends[:, 0, 2])
     run = np.linalg.norm((ends[:, 1] - ends[:, 0])[:, :2], axis=1)
-    rises = np.abs(ends[:, 1, 2] - ends[:, 0, 2]) > settings.strand_mm / 2
-    wide = run > 2 * reach_mm + settings.strand_mm
+    steep = rise * radius_mm > _SQUASH * strand_mm * run
     shared = graph.degrees()[graph.edges] > 1
-    nodes, edges = [graph.nodes], graph.edges.copy()
-    stubs, struts, sides = [], [np.arange(len(graph))], [np.full(len(graph), -1)]
-    for end in (0, 1):
-        bent = np.flatnonzero(rises & wide & shared[:, end])
-        ahead = (ends[bent, 1 - end] - ends[bent, end])[:, :2] / run[bent, None]
-        knees = ends[bent, end].copy()
-        knees[:, :2] += ahead * reach_mm
-        places = sum(map(len, nodes)) + np.arange(len(bent))
-        stubs.append(np.column_stack([places, graph.edges[bent, end]]))
-        struts.append(bent)
-        sides.append(np.full(len(bent), end))
-        edges[bent, end] = places
-        nodes.append(knees)
-    strut = np.concatenate(struts)
-    radius = graph.radius_mm[strut] if len(graph.radius_mm) else graph.radius_mm
-    pieces = Graph(np.concatenate(nodes), np.concatenate([edges, *stubs]), radius)
-    return Kneed(pieces, strut, np.concatenate(sides))
-
-
-def straight(graph: Graph) -> Kneed:
-    """Return it as it is, each strut one piece."""
-    count = len(graph)
-    return Kneed(graph, np.arange(count), np.full(count, -1))
+    upper = (ends[:, 1, 2] > ends[:, 0, 2]).astype(np.int64)
+    struts, knees = [np.arange(len(graph))], [ends.copy()]
+    for reach_mm in (radius_mm + strand_mm, (1 + _CLEAR) * radius_mm):
+        for at_upper, at_lower in ((True, False), (False, True), (True, True)):
+            bent_ends = np.stack(
+                [np.where(upper == 0, at_upper, at_lower), np.where(upper == 1, at_upper, at_lower)],
+                axis=1,
+            )
+            room = run > (bent_ends.sum(axis=1) * reach_mm + strand_mm / 2)
+            which = np.flatnonzero(steep & room & (shared | ~bent_ends).all(axis=1))
+            bent = ends[which].copy()
+            ahead = (ends[which, 1] - ends[which, 0])[:, :2] / run[which, None]
+            for end, sign in ((0, 1), (1, -1)):
+                moved = sign * reach_mm * ahead * bent_ends[which, end, None]
+                bent[:, end, :2] += moved
+            struts.append(which)
+            knees.append(bent)
+    strut, knee = np.concatenate(struts), np.concatenate(knees)
+    order = np.argsort(strut, kind="stable")
+    return Forms(strut[order], knee[order])

@@ -14,7 +14,7 @@ from wireprint.certificate import check
 from wireprint.gcode import document, file
 from wireprint.stages import path_params
 from wireprint.struts.graph import Graph
-from wireprint.struts.knees import kneed, straight
+from wireprint.struts.knees import forms
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -33,7 +33,12 @@ _WHY: Final = {
     "floats": "nothing leads to it from the bed",
     "too_long": "it is longer than what may hang (wire.span_limit_mm)",
     "too_steep": "it can only be drawn downwards, more steeply than the head allows",
-    "barred": "the head would run into others, or too much would hang, in any order that was tried",
+    "from_above": "only what falls more steeply than the head can draw leads there; support their "
+    "lower ends",
+    "locked": "no order has them all: whichever came last, the head would run into the others",
+    "hangs": "too much would hang from a free end in any order that was tried "
+    "(wire.free_end_limit_mm); make it smaller with --scale, or support it",
+    "barred": "the head would run into others in any order that was tried",
 }
 
 
@@ -103,56 +108,45 @@ def order(
     added = _supports(placed, settings) if supports else []
     if added:
         placed = _with(placed, added)
-    pieces = straight(placed)
-    found, left = _found(pieces.graph, settings)
+    shapes = forms(placed, settings)
+    found, left = _core.order_lattice(
+        placed.nodes,
+        placed.edges.tolist(),
+        shapes.strut.tolist(),
+        shapes.knees,
+        settings.printer.head.model_dump(),
+        _rules(settings, len(placed)),
+    )
     if left:
-        # A flat tip may want struts that leave and arrive level.
-        bent = kneed(placed, settings)
-        again, still = _found(bent.graph, settings)
-        if still:
-            raise UnprintableError(_refusal(placed, left))
-        pieces, found = bent, again
-    numbers, reversed_, floating = (np.array(column) for column in zip(*found, strict=True))
-    ordered = pieces.graph.chosen(numbers, reversed_)
+        raise UnprintableError(_refusal(placed, left))
+    form, reversed_, floating = (np.array(column) for column in zip(*found, strict=True))
+    which = shapes.strut[form]
+    ordered = placed.chosen(which, reversed_)
     loose = _loose(ordered, floating)
     if loose:
         raise UnprintableError(
             f"{len(loose)} struts end in the air, and nothing meets them: {_told(ordered, loose)}; "
             "join their ends, or leave them out"
         )
+    pieces = shapes.pieces(placed, form, reversed_)
     params = path_params(settings) | {"skirt_rings": 0, "brim_rings": 0}
-    path = _core.lattice_toolpath(ordered.ends, floating.astype(np.bool_), params)
+    # The head dwells at knees, too: a piece that rises to one ends in the air.
+    floats = floating.astype(np.bool_)[pieces.stroke] | ~pieces.last()
+    path = _core.lattice_toolpath(pieces.ends, floats, params)
     gcode, estimate = file.write(path, settings, date)
     certificate = check(gcode, settings)
     if not certificate.ok:
         raise UnprintableError(f"the order that was found breaks the rules: {_first(certificate)}")
-    begun, ended = pieces.whole(numbers)
-    which = pieces.strut[numbers[begun]]
-    # A strut is begun at the node that its first piece touches, or comes from.
-    turned = pieces.turned(numbers[begun], reversed_[begun])
-    times = _times(ordered, certificate, gcode, settings)
-    whole = placed.chosen(which, turned)
+    times = _times(pieces.ends, certificate, gcode, settings)
     return OrderedGraph(
-        replace(whole, time_s=times[begun]),
-        floating[ended],
+        replace(ordered, time_s=times[pieces.first()]),
+        floating,
         tuple(int(place) for place in np.flatnonzero(which >= len(placed) - len(added))),
         path,
         gcode,
         certificate,
         estimate.total_s,
         settings,
-    )
-
-
-def _found(
-    graph: Graph, settings: Settings
-) -> tuple[list[tuple[int, bool, bool]], list[tuple[int, str]]]:
-    """Search for an order; return it, and what is left with why."""
-    return _core.order_lattice(
-        graph.nodes,
-        graph.edges.tolist(),
-        settings.printer.head.model_dump(),
-        _rules(settings, len(graph)),
     )
 
 
@@ -259,8 +253,8 @@ def _told(graph: Graph, numbers: list[int]) -> str:
     return ", ".join(one(number) for number in numbers[:_NAMED]) + more
 
 
-def _times(graph: Graph, certificate: Certificate, gcode: bytes, settings: Settings) -> Any:
-    """Return when each strut is begun, s from the first command on."""
+def _times(ends: Any, certificate: Certificate, gcode: bytes, settings: Settings) -> Any:
+    """Return when each piece is begun, s from the first command on."""
     rows = document.timing(gcode, settings, per_move=True).per_move
     if rows is None:
         return np.empty(0)
@@ -268,11 +262,11 @@ def _times(graph: Graph, certificate: Certificate, gcode: bytes, settings: Setti
     begun = np.concatenate([[0.0], np.cumsum(durations)])
     places = certificate.core.strands - np.array([*settings.printer.bed.centre_mm, 0.0])
     own = np.searchsorted(lines, certificate.core.strand_lines)
-    found = np.zeros(len(graph))
+    found = np.zeros(len(ends))
     number = 0
-    # A strut may be written in two pieces: it is begun where its first end is met, in order.
+    # A piece may be written in two: it is begun where its first end is met, in order.
     for place, row in zip(places[:, 0], own, strict=True):
-        if number < len(graph) and np.abs(place - graph.ends[number, 0]).max() < 0.002:
+        if number < len(ends) and np.abs(place - ends[number, 0]).max() < 0.002:
             found[number] = begun[row]
             number += 1
     return found

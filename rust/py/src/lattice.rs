@@ -4,45 +4,56 @@ use glam::DVec3;
 use numpy::{PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use wireprint_core::head::Head;
-use wireprint_core::lattice::{self, Lattice, Rules, Why};
+use wireprint_core::lattice::{self, Form, Lattice, Rules, Why};
 use wireprint_core::strand::{Kind, Strand};
 use wireprint_core::toolpath as path;
 use wireprint_core::toolpath::PathParams;
 
 use crate::arrays;
 use crate::check::ends;
-use crate::errors::{SettingError, detached, in_pool};
+use crate::errors::{ModelError, SettingError, detached, in_pool};
 use crate::params::Params;
 use crate::toolpath::Toolpath;
 
-/// Strut, whether it is printed backwards and whether it ends in the air, in the order of printing;
+/// Form, whether it is printed backwards and whether it ends in the air, in the order of printing;
 /// and the struts that are not printed, each with why.
 type OrderRow = (Vec<(u32, bool, bool)>, Vec<(u32, &'static str)>);
 
 /// An order in which the struts of a lattice can be printed: nodes (N, 3) float64, mm, z from the
-/// bed, and edges (M, 2) of node numbers.
+/// bed, edges (M, 2) of node numbers; of each form a strut may have, in their order, the number of
+/// the strut (F,) and where it bends near both of its nodes (F, 2, 3) float64.
 ///
 /// # Errors
-/// `ModelError` for nodes and edges that are none.
+/// `ModelError` for nodes, edges and forms that are none.
 #[pyfunction]
 pub fn order_lattice(
     py: Python<'_>,
     nodes: &Bound<'_, PyAny>,
     edges: Vec<[u32; 2]>,
+    struts: Vec<u32>,
+    knees: PyReadonlyArray3<'_, f64>,
     head: Params<Head>,
     rules: Params<Rules>,
 ) -> PyResult<OrderRow> {
+    let knees = ends(&knees)?;
+    if struts.len() != knees.len() {
+        return Err(ModelError::new_err("each form has two knees"));
+    }
     let nodes = arrays::read_points("nodes", nodes)?;
     let (head, rules) = (head.0, rules.0);
     let found = detached(py, || {
-        let lattice = Lattice::new(nodes, edges)?;
+        let forms = struts.into_iter().zip(knees).map(|(strut, knees)| Form { strut, knees });
+        let lattice = Lattice::new(nodes, edges, forms.collect())?;
         Ok(in_pool(|| lattice::order(&lattice, &head, &rules)))
     })?;
-    let laid = |one: &lattice::Laid| (one.stroke.edge, one.stroke.reversed, one.floating);
+    let laid = |one: &lattice::Laid| (one.stroke.form, one.stroke.reversed, one.floating);
     let why = |why: Why| match why {
         Why::Floats => "floats",
+        Why::FromAbove => "from_above",
         Why::TooLong => "too_long",
         Why::TooSteep => "too_steep",
+        Why::Locked => "locked",
+        Why::Hangs => "hangs",
         Why::Barred => "barred",
     };
     let left = found.left.iter().map(|&(edge, reason)| (edge, why(reason))).collect();

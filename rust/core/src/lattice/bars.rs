@@ -1,18 +1,21 @@
-//! Which struts bar which: the exact test of the head, for each strut in each direction.
+//! Which struts bar which: the exact test of the head, for each strut in each form and direction.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{Lattice, Rules, Stroke};
-use crate::head::Head;
+use super::{Lattice, Rules, Stroke, may_fall};
+use crate::head::{Body, Head};
 use crate::stroke::Strokes;
 
-/// For each stroke the struts that must not stand yet, and for each strut the strokes that it bars.
+/// For each stroke whether the head can draw it, and which forms of other struts must not stand yet.
 #[derive(Debug)]
 pub struct Bars {
-    /// By strut, and whether it is reversed.
-    by: Vec<[Vec<u32>; 2]>,
+    /// By stroke: whether it can be drawn at all.
+    drawn: Vec<bool>,
+    /// By form: strokes that it bars.
     of: Vec<Vec<Stroke>>,
+    /// By strut: strokes that it bars in whichever form.
+    always: Vec<Vec<Stroke>>,
 }
 
 impl Bars {
@@ -23,39 +26,95 @@ impl Bars {
     #[must_use]
     pub fn of(lattice: &Lattice, head: &Head, rules: &Rules) -> Self {
         let squash = Strokes::new(head, rules.strand).squash();
-        let struts: Vec<[DVec3; 2]> = (0..lattice.len() as u32)
-            .map(|edge| lattice.places(Stroke { edge, reversed: false }))
+        let forms = lattice.forms.len() as u32;
+        let strokes: Vec<Stroke> = (0..forms)
+            .flat_map(|form| [false, true].map(|reversed| Stroke { form, reversed }))
             .collect();
-        let hit_by = |stroke: Stroke| -> Vec<u32> {
-            let way = lattice.places(stroke);
-            let others = (0_u32..).zip(&struts).filter(|&(other, _)| other != stroke.edge);
-            let hit = others.filter(|(_, ends)| head.deeper_than(squash, way, **ends).is_some());
-            hit.map(|(other, _)| other).collect()
+        let may = |&stroke: &Stroke| {
+            lattice.pieces(stroke).all(|piece| may_fall(head, rules.strand, piece))
         };
-        let by: Vec<[Vec<u32>; 2]> = (0..lattice.edges.len() as u32)
+        let drawn: Vec<bool> = strokes.iter().map(may).collect();
+        let boxes: Vec<[DVec3; 2]> =
+            (0..lattice.len() as u32).map(|strut| bounds(lattice, strut)).collect();
+        let hits = |stroke: Stroke, form: u32| {
+            let stands = Stroke { form, reversed: false };
+            lattice.pieces(stroke).any(|way| {
+                lattice.pieces(stands).any(|strand| head.deeper_than(squash, way, strand).is_some())
+            })
+        };
+        let near = |strut: u32| {
+            let own = boxes[strut as usize];
+            let others = (0_u32..).zip(&boxes).filter(move |&(other, _)| other != strut);
+            let near = others.filter(move |&(_, &other)| may_meet(head, squash, own, other));
+            near.map(|(other, _)| other).collect::<Vec<u32>>()
+        };
+        let by: Vec<Vec<u32>> = (0..lattice.len() as u32)
             .into_par_iter()
-            .map(|edge| [false, true].map(|reversed| hit_by(Stroke { edge, reversed })))
+            .flat_map_iter(|strut| {
+                let (near, drawn) = (near(strut), &drawn);
+                lattice.strokes_of(strut).map(move |stroke| {
+                    if !drawn[stroke.index()] {
+                        return Vec::new();
+                    }
+                    let forms = near.iter().flat_map(|&other| lattice.forms_of(other));
+                    forms.filter(|&form| hits(stroke, form)).collect()
+                })
+            })
             .collect();
-        let mut of = vec![Vec::new(); lattice.edges.len()];
-        for (edge, ways) in by.iter().enumerate() {
-            for (reversed, others) in [false, true].into_iter().zip(ways) {
-                for &other in others {
-                    of[other as usize].push(Stroke { edge: edge as u32, reversed });
+        let mut of = vec![Vec::new(); lattice.forms.len()];
+        let mut always = vec![Vec::new(); lattice.len()];
+        for (&stroke, forms) in strokes.iter().zip(&by) {
+            for &form in forms {
+                of[form as usize].push(stroke);
+            }
+            for same in forms.chunk_by(|&a, &b| strut_of(lattice, a) == strut_of(lattice, b)) {
+                let strut = strut_of(lattice, same[0]);
+                if same.len() == lattice.forms_of(strut).len() {
+                    always[strut as usize].push(stroke);
                 }
             }
         }
-        Self { by, of }
+        Self { drawn, of, always }
     }
 
-    /// The struts that bar a stroke, ascending.
+    /// Whether the head can draw a stroke at all.
     #[must_use]
-    pub fn by(&self, stroke: Stroke) -> &[u32] {
-        &self.by[stroke.edge as usize][usize::from(stroke.reversed)]
+    pub fn is_drawn(&self, stroke: Stroke) -> bool {
+        self.drawn[stroke.index()]
     }
 
-    /// The strokes that a strut bars.
+    /// The strokes that a form bars.
     #[must_use]
-    pub fn of_strut(&self, edge: u32) -> &[Stroke] {
-        &self.of[edge as usize]
+    pub fn of_form(&self, form: u32) -> &[Stroke] {
+        &self.of[form as usize]
     }
+
+    /// The strokes that a strut bars in whichever form.
+    #[must_use]
+    pub fn of_strut(&self, strut: u32) -> &[Stroke] {
+        &self.always[strut as usize]
+    }
+}
+
+fn strut_of(lattice: &Lattice, form: u32) -> u32 {
+    lattice.forms[form as usize].strut
+}
+
+/// The box of a strut in all of its forms.
+fn bounds(lattice: &Lattice, strut: u32) -> [DVec3; 2] {
+    let ends = lattice.edges[strut as usize].map(|node| lattice.nodes[node as usize]);
+    let knees = lattice.forms_of(strut).flat_map(|form| lattice.forms[form as usize].knees);
+    let start = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    knees.fold(start, |[low, high], knee| [low.min(knee), high.max(knee)])
+}
+
+/// Whether the head on its way within one box may reach into a strand within another.
+fn may_meet(head: &Head, squash: f64, own: [DVec3; 2], other: [DVec3; 2]) -> bool {
+    let rise = other[1].z - own[0].z;
+    let apart = (other[0] - own[1]).max(own[0] - other[1]).max(DVec3::ZERO).truncate();
+    let meets = |body: Body<'_>| {
+        let reach = body.middle().abs() + body.half_at(rise);
+        apart.cmple(reach).all()
+    };
+    rise > squash && head.bodies().any(meets)
 }

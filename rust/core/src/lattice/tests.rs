@@ -11,7 +11,7 @@ fn rules() -> Rules {
 }
 
 fn lattice(nodes: &[[f64; 3]], edges: &[[u32; 2]]) -> Lattice {
-    Lattice::new(nodes.iter().map(|&n| n.into()).collect(), edges.to_vec()).unwrap()
+    Lattice::straight(nodes.iter().map(|&n| n.into()).collect(), edges.to_vec()).unwrap()
 }
 
 /// A pyramid on the bed: four feet, four struts to the top.
@@ -43,7 +43,7 @@ fn feet_come_first_and_each_strut_goes_up() {
     let found = order(&lattice, &head, &rules);
     assert!(found.left.is_empty(), "{found:?}");
     keeps_the_rules(&lattice, &found, &head, &rules);
-    let first: Vec<u32> = found.strokes[..4].iter().map(|laid| laid.stroke.edge).collect();
+    let first: Vec<u32> = found.strokes[..4].iter().map(|laid| laid.stroke.form).collect();
     assert!(first.iter().all(|&edge| edge >= 4), "{first:?}");
     assert!(found.strokes[4].floating);
     assert!(found.strokes[5..].iter().all(|laid| !laid.floating));
@@ -56,6 +56,80 @@ fn what_nothing_leads_to_floats() {
     let found = order(&lattice, &head(), &rules());
     assert_eq!(found.strokes.len(), 1);
     assert_eq!(found.left, [(1, Why::Floats)]);
+}
+
+#[test]
+fn what_only_falls_steeply_to_a_node_is_told() {
+    // A post, a beam from its top to another post, and a strut that hangs from the beam's end.
+    let nodes = [[0., 0., 0.], [0., 0., 9.], [10., 0., 9.], [10., 0., 4.]];
+    let hook = lattice(&nodes, &[[0, 1], [1, 2], [2, 3]]);
+    let found = order(&hook, &head(), &rules());
+    assert!(found.left.contains(&(2, Why::FromAbove)), "{found:?}");
+}
+
+#[test]
+fn struts_that_bar_each_other_are_proven_to_whatever_else_there_is() {
+    // Two steep struts from one foot: each has its upper end in the cone of whoever comes second.
+    let nodes = [[0., 0., 0.], [1.0, 0., 9.], [-1.0, 0., 9.], [30., 0., 0.], [40., 0., 0.]];
+    let both = lattice(&nodes, &[[0, 1], [0, 2], [1, 2], [3, 4]]);
+    let found = order(&both, &head(), &rules());
+    let locked: Vec<u32> = found.left.iter().map(|&(strut, _)| strut).collect();
+    assert_eq!(locked, [0, 1], "{found:?}");
+    assert!(found.left.iter().all(|&(_, why)| why == Why::Locked));
+    // In no order of the four, in whichever directions, does each keep clear of those before it.
+    let squash = Strokes::new(&head(), 0.7).squash();
+    let keeps = |order: &[(u32, bool)]| {
+        (0..order.len()).all(|n| {
+            let (form, reversed) = order[n];
+            let way = both.places(Stroke { form, reversed });
+            may_fall(&head(), 0.7, way)
+                && order[..n].iter().all(|&(form, reversed)| {
+                    let stands = both.places(Stroke { form, reversed });
+                    head().deeper_than(squash, way, stands).is_none()
+                })
+        })
+    };
+    let pairs = [[(0, false), (1, false)], [(0, true), (1, true)], [(0, false), (1, true)]];
+    for [one, other] in pairs {
+        assert!(!keeps(&[one, other]) && !keeps(&[other, one]));
+    }
+}
+
+#[test]
+fn a_form_with_knees_makes_room_for_what_is_steep() {
+    // A tripod of steep legs: straight, a second leg has the node in its way; with a knee it has not.
+    let turn =
+        |degrees: f64| [6. * degrees.to_radians().cos(), 6. * degrees.to_radians().sin(), 0.];
+    let nodes = [turn(0.), turn(120.), turn(240.), [0., 0., 9.]];
+    let edges = [[0, 3], [1, 3], [2, 3]];
+    let straight = lattice(&nodes, &edges);
+    assert!(!order(&straight, &head(), &rules()).left.is_empty());
+    let top = DVec3::from(nodes[3]);
+    let forms = (0..3).flat_map(|strut| {
+        let foot = DVec3::from(nodes[strut]);
+        let knee = top + 1.2 * (foot - top).truncate().normalize().extend(0.0);
+        [[foot, top], [foot, knee]].map(|knees| Form { strut: strut as u32, knees })
+    });
+    let nodes: Vec<DVec3> = nodes.iter().map(|&node| node.into()).collect();
+    let bent = Lattice::new(nodes, edges.to_vec(), forms.collect()).unwrap();
+    let found = order(&bent, &head(), &rules());
+    assert!(found.left.is_empty(), "{found:?}");
+    // The first is straight: a knee is where it is needed.
+    let bends: Vec<usize> =
+        found.strokes.iter().map(|laid| bent.pieces(laid.stroke).count() - 1).collect();
+    assert_eq!(bends, [0, 1, 1]);
+}
+
+#[test]
+fn forms_that_do_not_go_with_the_struts_are_refused() {
+    let nodes = vec![DVec3::ZERO, DVec3::Z, DVec3::X];
+    let edges = vec![[0, 1], [0, 2]];
+    let form = |strut| Form { strut, knees: [DVec3::ZERO; 2] };
+    for forms in [vec![form(0)], vec![form(1), form(0)], vec![form(0), form(1), form(2)]] {
+        assert!(Lattice::new(nodes.clone(), edges.clone(), forms).is_err());
+    }
+    let odd = Form { strut: 1, knees: [DVec3::NAN; 2] };
+    assert!(Lattice::new(nodes, edges, vec![form(0), odd]).is_err());
 }
 
 #[test]
@@ -73,7 +147,7 @@ fn a_strut_under_a_roof_is_printed_before_it() {
     let found = order(&lattice, &head(), &rules());
     assert!(found.left.is_empty(), "{found:?}");
     keeps_the_rules(&lattice, &found, &head(), &rules());
-    let place = |edge: u32| found.strokes.iter().position(|laid| laid.stroke.edge == edge);
+    let place = |edge: u32| found.strokes.iter().position(|laid| laid.stroke.form == edge);
     assert!(place(3) < place(0));
 }
 
@@ -87,11 +161,12 @@ fn the_same_lattice_gives_the_same_order_on_any_number_of_threads() {
 
 #[test]
 fn what_is_no_lattice_is_refused() {
-    let at =
-        |edges: &[[u32; 2]]| Lattice::new(vec![DVec3::ZERO, dvec3(0., 0., 1.)], edges.to_vec());
+    let at = |edges: &[[u32; 2]]| {
+        Lattice::straight(vec![DVec3::ZERO, dvec3(0., 0., 1.)], edges.to_vec())
+    };
     assert!(at(&[[0, 2]]).is_err());
     assert!(at(&[[1, 1]]).is_err());
-    assert!(Lattice::new(vec![DVec3::NAN], Vec::new()).is_err());
+    assert!(Lattice::straight(vec![DVec3::NAN], Vec::new()).is_err());
     let empty = at(&[]).unwrap();
     assert!(empty.is_empty() && order(&empty, &head(), &rules()).strokes.is_empty());
 }

@@ -1,0 +1,147 @@
+//! What stands while a search goes on, what holds, what hangs, and what is barred.
+
+use super::lock::locked;
+use super::{Bars, Laid, Lattice, Rules, Stroke};
+
+/// Struts that stand, and what follows from them.
+pub struct State<'a> {
+    lattice: &'a Lattice,
+    rules: &'a Rules,
+    bars: &'a Bars,
+    /// By strut.
+    pub printed: Vec<bool>,
+    /// By stroke: struts that stand and bar it.
+    barred: Vec<u32>,
+    /// By stroke: struts that do not stand yet and bar it in whichever form.
+    barring: Vec<u32>,
+    /// Struts that end at each node and stand.
+    holding: Vec<u32>,
+    /// Length along which each node hangs from what is held otherwise, mm; 0 where it is held by
+    /// the bed, or from two sides.
+    hang: Vec<f64>,
+    /// What stands, in order.
+    pub laid: Vec<Laid>,
+    /// How far the nodes of each laid strut hung before it.
+    hung: Vec<[f64; 2]>,
+}
+
+impl<'a> State<'a> {
+    /// Nothing stands.
+    pub fn new(lattice: &'a Lattice, rules: &'a Rules, bars: &'a Bars) -> Self {
+        let mut barring = vec![0; 2 * lattice.forms.len()];
+        for strut in 0..lattice.len() as u32 {
+            bars.of_strut(strut).iter().for_each(|stroke| barring[stroke.index()] += 1);
+        }
+        Self {
+            lattice,
+            rules,
+            bars,
+            printed: vec![false; lattice.len()],
+            barred: vec![0; 2 * lattice.forms.len()],
+            barring,
+            holding: vec![0; lattice.nodes.len()],
+            hang: vec![0.0; lattice.nodes.len()],
+            laid: Vec::new(),
+            hung: Vec::new(),
+        }
+    }
+
+    /// Whether all is printed.
+    pub fn is_whole(&self) -> bool {
+        self.laid.len() == self.lattice.len()
+    }
+
+    /// Whether the bed or a strut that stands holds a node.
+    pub fn is_held(&self, node: u32) -> bool {
+        let node = node as usize;
+        self.lattice.nodes[node].z <= self.rules.bed || self.holding[node] > 0
+    }
+
+    /// Whether the head can draw a stroke past what stands.
+    pub fn is_open(&self, stroke: Stroke) -> bool {
+        self.bars.is_drawn(stroke) && self.barred[stroke.index()] == 0
+    }
+
+    /// A stroke as it would be laid now, if only what hangs is not asked; None where it cannot be.
+    pub fn reached(&self, stroke: Stroke) -> Option<Laid> {
+        let [from, to] = self.lattice.ends(stroke);
+        let reached = self.is_held(from) && self.is_open(stroke);
+        reached.then(|| Laid { stroke, floating: !self.is_held(to) })
+    }
+
+    /// Whether what would hang with a stroke is short enough.
+    pub fn holds(&self, laid: Laid) -> bool {
+        let free = laid.floating || self.lattice.peaks(laid.stroke);
+        let limit = if free { self.rules.free_end } else { self.rules.span };
+        self.hanging(laid.stroke) <= limit
+    }
+
+    /// How far a stroke's end hangs from what is held otherwise, mm: struts that go on from a free
+    /// end hang with it.
+    pub fn hanging(&self, stroke: Stroke) -> f64 {
+        let [from, _] = self.lattice.ends(stroke);
+        self.hang[from as usize] + self.lattice.length(stroke)
+    }
+
+    /// Prints a stroke, unless some others could then never be printed all.
+    pub fn try_print(&mut self, laid: Laid) -> bool {
+        let own = self.lattice.strut(laid.stroke);
+        let bars_more = self.bars.of_form(laid.stroke.form).iter().any(|&barred| {
+            let other = self.lattice.strut(barred);
+            other != own && !self.printed[other as usize] && self.is_open(barred)
+        });
+        self.print(laid);
+        if bars_more && !self.locked().is_empty() {
+            self.take_back();
+            return false;
+        }
+        true
+    }
+
+    /// The struts of those that do not stand yet that can never be printed all.
+    pub fn locked(&self) -> Vec<u32> {
+        let open = |stroke| self.is_open(stroke);
+        locked(self.lattice, self.bars, &self.printed, &self.barring, open)
+    }
+
+    fn print(&mut self, laid: Laid) {
+        let nodes = self.lattice.ends(laid.stroke).map(|node| node as usize);
+        let hanging = self.hanging(laid.stroke);
+        self.hung.push(nodes.map(|node| self.hang[node]));
+        if laid.floating {
+            self.hang[nodes[1]] = hanging;
+        } else {
+            nodes.iter().for_each(|&node| self.hang[node] = 0.0);
+        }
+        self.count(laid, true);
+        self.laid.push(laid);
+    }
+
+    /// Takes the last strut back.
+    pub fn take_back(&mut self) {
+        if let Some(laid) = self.laid.pop() {
+            self.count(laid, false);
+            let nodes = self.lattice.ends(laid.stroke);
+            for (node, hung) in nodes.into_iter().zip(self.hung.pop().unwrap_or_default()) {
+                self.hang[node as usize] = hung;
+            }
+        }
+    }
+
+    /// Notes that a strut stands, or no more does.
+    fn count(&mut self, laid: Laid, stands: bool) {
+        let strut = self.lattice.strut(laid.stroke);
+        let [more, less] = if stands { [1, u32::MAX] } else { [u32::MAX, 1] };
+        let add = |count: &mut u32, by: u32| *count = count.wrapping_add(by);
+        self.printed[strut as usize] = stands;
+        for node in self.lattice.ends(laid.stroke) {
+            add(&mut self.holding[node as usize], more);
+        }
+        for barred in self.bars.of_form(laid.stroke.form) {
+            add(&mut self.barred[barred.index()], more);
+        }
+        for barred in self.bars.of_strut(strut) {
+            add(&mut self.barring[barred.index()], less);
+        }
+    }
+}
