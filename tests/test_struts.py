@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import wireprint
+from random_lattices import KINDS
 from struts_files import GRAPHS
 from wireprint import cli
 from wireprint.struts import READ, WRITTEN, Graph, beam_model, order, read_struts, struts_as
@@ -529,3 +530,49 @@ def test_choreos_frames_are_read_in_their_unit(unit, mm):
 def test_what_is_no_frame_of_choreos_is_told(changes, said):
     with pytest.raises(wireprint.ModelError, match=said):
         read_json(choreo(**changes))
+
+
+#: A needle that is slim far up, on any printer.
+LONG_NEEDLE = [
+    "head.slant_deg=80",
+    "head.cone_height_mm=60",
+    "head.block_radius_mm=30",
+    "head.carriage_height_mm=80",
+    "wire.free_end_limit_mm=24",
+]
+
+
+@pytest.mark.parametrize("printer", ["kossel-mini", "prusa-mk4s", "voron-2.4"])
+@pytest.mark.parametrize("kind", sorted(KINDS))
+def test_lattices_by_chance_are_printed_whole(kind, printer):
+    graph = KINDS[kind](np.random.default_rng(7))
+    found = order(graph, wireprint.Settings.load(printer, "pla", overrides=LONG_NEEDLE))
+    assert found.certificate.ok
+    assert len(found.graph) == len(graph)
+    assert not found.supports
+
+
+def test_what_only_falls_steeply_to_its_foot_is_supported():
+    """A beam between two posts, and a drop that hangs from it."""
+    nodes = [[0, 0, 0], [0, 0, 14], [9, 0, 14], [18, 0, 14], [18, 0, 0], [9, 0, 6], [9, 5, 14]]
+    edges = [[0, 1], [1, 2], [2, 3], [4, 3], [2, 5], [2, 6], [6, 1], [6, 3]]
+    settings = wireprint.Settings.load("kossel-mini", "abs", overrides=LONG_NEEDLE)
+    found = order(Graph(nodes, edges), settings)
+    [support] = found.supports
+    foot, top = found.graph.ends[support]
+    assert top - foot == pytest.approx([0, 0, 6], abs=1e-9)
+    with pytest.raises(wireprint.UnprintableError, match="falls more steeply than the head"):
+        order(Graph(nodes, edges), settings, supports=False)
+
+
+def test_struts_that_no_order_has_are_named_alone():
+    """Two steep struts from one foot, each in the way of the other, beside a tower."""
+    fork = Graph([[40, 0, 0], [41, 0, 9], [39, 0, 9]], [[0, 1], [0, 2], [1, 2]])
+    beside = tower()
+    both = Graph(
+        np.concatenate([beside.nodes, fork.nodes]),
+        np.concatenate([beside.edges, fork.edges + len(beside.nodes)]),
+    )
+    with pytest.raises(wireprint.UnprintableError, match="no order has them all") as refused:
+        order(both, SETTINGS)
+    assert str(refused.value).startswith(f"2 of {len(both)} struts cannot be printed")

@@ -119,20 +119,28 @@ class BeamModel:
             An object is not there, holds itself, or there are too many beams.
         """
         items = self._items or [(name, np.eye(4)) for name in self._objects]
-        todo = [(name, matrix, 0) for name, matrix in reversed(items)]
-        beams = visits = 0
+        sizes: dict[str, int] = {}
+        if sum(self._size(name, sizes, 0) for name, _ in items) > _MOST_BEAMS:
+            raise ModelError(f"objects are built too often: more than {_MOST_BEAMS} beams")
+        todo = list(reversed(items))
         while todo:
-            name, matrix, depth = todo.pop()
-            one = self._objects.get(name)
-            if one is None:
-                raise ModelError(f"object {name!r} is built, but not there")
-            beams, visits = beams + len(one.radii), visits + 1
-            if depth > _DEEPEST or max(beams, visits) > _MOST_BEAMS:
-                msg = f"object {name!r} holds itself, or is built too often: {beams} beams"
-                raise ModelError(msg)
+            name, matrix = todo.pop()
+            one = self._objects[name]
             if one.radii:
                 yield _placed(one.graph(self._unit_mm), matrix, self._unit_mm)
-            todo += [(inner, own @ matrix, depth + 1) for inner, own in reversed(one.components)]
+            todo += [(inner, own @ matrix) for inner, own in reversed(one.components)]
+
+    def _size(self, name: str, sizes: dict[str, int], depth: int) -> int:
+        """Count the beams and the objects that one is built of, without building them."""
+        if depth > _DEEPEST:
+            raise ModelError(f"object {name!r} holds itself")
+        if name not in self._objects:
+            raise ModelError(f"object {name!r} is built, but not there")
+        if name not in sizes:
+            one = self._objects[name]
+            inner = sum(self._size(part, sizes, depth + 1) for part, _ in one.components)
+            sizes[name] = 1 + len(one.radii) + inner
+        return sizes[name]
 
 
 def _refuse_types(*_: object) -> None:

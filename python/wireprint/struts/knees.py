@@ -1,10 +1,10 @@
-"""Forms of struts: straight, or with knees: short level pieces at their ends, so that a flat tip fits in.
+"""Forms of struts: straight, or with knees, so that a flat tip fits in between others.
 
 A nozzle's tip is flat. Where a strut rises to a node that another one has reached already, the edge
 of the tip would push into that one before the middle is there; and where one begins at a node from
-which another one rises, the tip would press that down. Pieces as long as the tip reaches, level with the
-nodes, are what zigzags have, too. Which form a strut has is for the search to find: knees make room
-for what comes later at a node, and take room beside it.
+which another one rises, the tip would press that down. Knees are short level pieces at the nodes,
+as long as the tip reaches: zigzags have them, too. Which form a strut has is for the search to
+find: knees make room for what comes later at a node, and take room beside it.
 """
 
 from __future__ import annotations
@@ -73,8 +73,8 @@ def forms(graph: Graph, settings: Settings) -> Forms:
     """Return the forms that each strut may have: straight, and with knees where these may help.
 
     A strut that rises more gently than a joint is pressed flat under the tip is straight; so is an
-    upright one, for no direction is its own. Knees are as long as the tip reaches (its radius and one
-    strand), or just longer than its radius.
+    upright one, for no direction is its own. Knees are as long as the tip reaches (its radius and
+    one strand), or just longer than its radius.
     """
     radius_mm, strand_mm = settings.printer.head.tip_radius_mm, settings.strand_mm
     ends = graph.ends
@@ -86,10 +86,8 @@ def forms(graph: Graph, settings: Settings) -> Forms:
     struts, knees = [np.arange(len(graph))], [ends.copy()]
     for reach_mm in (radius_mm + strand_mm, (1 + _CLEAR) * radius_mm):
         for at_upper, at_lower in ((True, False), (False, True), (True, True)):
-            bent_ends = np.stack(
-                [np.where(upper == 0, at_upper, at_lower), np.where(upper == 1, at_upper, at_lower)],
-                axis=1,
-            )
+            bends = [np.where(upper == end, at_upper, at_lower) for end in (0, 1)]
+            bent_ends = np.stack(bends, axis=1)
             room = run > (bent_ends.sum(axis=1) * reach_mm + strand_mm / 2)
             which = np.flatnonzero(steep & room & (shared | ~bent_ends).all(axis=1))
             bent = ends[which].copy()

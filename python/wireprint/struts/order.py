@@ -15,6 +15,7 @@ from wireprint.gcode import document, file
 from wireprint.stages import path_params
 from wireprint.struts.graph import Graph
 from wireprint.struts.knees import forms
+from wireprint.struts.supports import supported
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from wireprint._core import Toolpath
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
+    from wireprint.struts.knees import Forms
 
 #: Struts that are printed on trial at most, by their number; those taken back count again.
 _MOST_STEPS: Final = 20
@@ -29,6 +31,8 @@ _MOST_STEPS: Final = 20
 _NAMED: Final = 8
 #: Struts that are tested against each other; of more that would take minutes.
 MOST_STRUTS: Final = 20_000
+#: Reasons that a support may help against.
+_SUPPORTED: Final = ("floats", "from_above")
 _WHY: Final = {
     "floats": "nothing leads to it from the bed",
     "too_long": "it is longer than what may hang (wire.span_limit_mm)",
@@ -39,6 +43,7 @@ _WHY: Final = {
     "hangs": "too much would hang from a free end in any order that was tried "
     "(wire.free_end_limit_mm); make it smaller with --scale, or support it",
     "barred": "the head would run into others in any order that was tried",
+    "waits": "what they begin at is not printed",
 }
 
 
@@ -81,8 +86,8 @@ def order(
     settings
         Printer and material.
     supports
-        Whether parts that nothing leads to get upright struts from the bed, where these are short
-        enough; else they are refused.
+        Whether parts that nothing leads to, or only what falls too steeply, get a strut to their
+        lowest node, where it is short enough; else they are refused.
     date
         Written into the file.
 
@@ -99,24 +104,22 @@ def order(
     Notes
     -----
     Which strut bars which is decided beforehand by the exact test of the head; the search prints
-    low struts first, never one after which another could not be printed any more, and takes back
-    where none is left (after Huang et al., *FrameFab*, 2016, and *Choreo*, 2018).
+    low struts first, never one after which others could not be printed any more, and takes back
+    where none is left (after Huang et al., *FrameFab*, 2016, and *Choreo*, 2018). Where the head
+    can print all struts in no order at all, that is proven before anything is searched for.
     """
     if len(graph) > MOST_STRUTS:
         raise UnprintableError(f"{len(graph)} struts; {MOST_STRUTS} are ordered at most")
     placed = _placed(graph, settings)
-    added = _supports(placed, settings) if supports else []
-    if added:
-        placed = _with(placed, added)
-    shapes = forms(placed, settings)
-    found, left = _core.order_lattice(
-        placed.nodes,
-        placed.edges.tolist(),
-        shapes.strut.tolist(),
-        shapes.knees,
-        settings.printer.head.model_dump(),
-        _rules(settings, len(placed)),
-    )
+    shapes, found, left = _found(placed, settings)
+    # What is supported may lead on to what is not yet: again, as long as it helps.
+    while supports and left and all(why in _SUPPORTED for _, why in left):
+        hopeless = np.array([number for number, _ in left])
+        more = supported(placed, hopeless, settings.wire.free_end_limit_mm)
+        if len(more) == len(placed):
+            break
+        placed = more
+        shapes, found, left = _found(placed, settings)
     if left:
         raise UnprintableError(_refusal(placed, left))
     form, reversed_, floating = (np.array(column) for column in zip(*found, strict=True))
@@ -141,13 +144,29 @@ def order(
     return OrderedGraph(
         replace(ordered, time_s=times[pieces.first()]),
         floating,
-        tuple(int(place) for place in np.flatnonzero(which >= len(placed) - len(added))),
+        tuple(int(place) for place in np.flatnonzero(which >= len(graph))),
         path,
         gcode,
         certificate,
         estimate.total_s,
         settings,
     )
+
+
+def _found(
+    graph: Graph, settings: Settings
+) -> tuple[Forms, list[tuple[int, bool, bool]], list[tuple[int, str]]]:
+    """Search for an order; return the forms, what is found, and what is left with why."""
+    shapes = forms(graph, settings)
+    found, left = _core.order_lattice(
+        graph.nodes,
+        graph.edges.tolist(),
+        shapes.strut.tolist(),
+        shapes.knees,
+        settings.printer.head.model_dump(),
+        _rules(settings, len(graph)),
+    )
+    return shapes, found, left
 
 
 def _first(certificate: Certificate) -> str:
@@ -180,48 +199,6 @@ def _rules(settings: Settings, struts: int) -> dict[str, object]:
     }
 
 
-def _supports(graph: Graph, settings: Settings) -> list[int]:
-    """Return a node of each part that nothing leads to from the bed: its lowest one."""
-    part = _parts(graph)
-    bed_mm, limit_mm = _bed_mm(settings), settings.wire.free_end_limit_mm
-    used = np.unique(graph.edges)
-    heights = graph.nodes[:, 2]
-    standing = {int(part[node]) for node in used if heights[node] <= bed_mm}
-    lowest: dict[int, int] = {}
-    for node in used[np.argsort(heights[used], kind="stable")]:
-        if int(part[node]) not in standing:
-            lowest.setdefault(int(part[node]), int(node))
-    return [node for node in lowest.values() if heights[node] <= limit_mm]
-
-
-def _parts(graph: Graph) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
-    """Return the number of the connected part of each node."""
-    part = np.arange(len(graph.nodes))
-    while True:
-        low = np.minimum(part[graph.edges[:, 0]], part[graph.edges[:, 1]])
-        before = part.copy()
-        np.minimum.at(part, graph.edges[:, 0], low)
-        np.minimum.at(part, graph.edges[:, 1], low)
-        part = part[part]
-        if np.array_equal(part, before):
-            return part
-
-
-def _with(graph: Graph, nodes: list[int]) -> Graph:
-    """Return a graph with an upright strut from the bed to each of these nodes."""
-    feet = graph.nodes[nodes].copy()
-    feet[:, 2] = graph.nodes[:, 2].min()
-    places = len(graph.nodes) + np.arange(len(nodes))
-    radius = graph.radius_mm
-    if len(radius):
-        radius = np.concatenate([radius, np.full(len(nodes), np.median(radius))])
-    return Graph(
-        np.concatenate([graph.nodes, feet]),
-        np.concatenate([graph.edges, np.column_stack([places, nodes])]),
-        radius,
-    )
-
-
 def _loose(graph: Graph, floating: Any) -> list[int]:
     """Return the struts whose free end nothing meets."""
     degrees = graph.degrees()
@@ -235,9 +212,9 @@ def _loose(graph: Graph, floating: Any) -> list[int]:
 def _refusal(graph: Graph, left: list[tuple[int, str]]) -> str:
     counts = Counter(why for _, why in left)
     lines = [f"{len(left)} of {len(graph)} struts cannot be printed"]
-    for why, count in counts.items():
+    for why in (why for why in _WHY if counts[why]):
         numbers = [number for number, reason in left if reason == why]
-        lines.append(f"{count}: {_WHY[why]}: {_told(graph, numbers)}")
+        lines.append(f"{counts[why]}: {_WHY[why]}: {_told(graph, numbers)}")
     if counts["barred"]:
         lines.append("a slimmer head reaches deeper: head.slant_deg, head.cone_height_mm")
     return "\n".join(lines)

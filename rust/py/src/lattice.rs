@@ -55,6 +55,7 @@ pub fn order_lattice(
         Why::Locked => "locked",
         Why::Hangs => "hangs",
         Why::Barred => "barred",
+        Why::Waits => "waits",
     };
     let left = found.left.iter().map(|&(edge, reason)| (edge, why(reason))).collect();
     Ok((found.strokes.iter().map(laid).collect(), left))

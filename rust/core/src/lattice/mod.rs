@@ -208,6 +208,8 @@ pub enum Why {
     Hangs,
     /// The head would run into other struts, in whichever order was tried.
     Barred,
+    /// It begins and ends at others that are not printed.
+    Waits,
 }
 
 /// What a search comes to.

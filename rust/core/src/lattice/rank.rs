@@ -8,6 +8,8 @@ use super::{Laid, Lattice, Rules};
 
 /// Heights of a strut above the others that one failure makes good, strands.
 const BLAME: f64 = 4.0;
+/// By how much chance may lift or lower a strut in later rounds, strands.
+const CHANCE: f64 = 4.0;
 
 /// How a round ranks what could be printed.
 #[derive(Debug, Clone)]
@@ -50,6 +52,19 @@ impl Rank {
         choices.into_iter().map(|(_, laid)| laid).collect()
     }
 
+    /// The same for each strut and round, within ±½; none in the first rounds.
+    fn chance(&self, strut: u32) -> f64 {
+        if self.round < 4 {
+            return 0.0;
+        }
+        // Steele, Lea and Flood's SplitMix64, as a hash.
+        let seed =
+            (u64::from(self.round) << 32 | u64::from(strut)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mixed = (seed ^ (seed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (mixed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+    }
+
     fn key(
         &self,
         lattice: &Lattice,
@@ -61,7 +76,8 @@ impl Rank {
         let [from, to] = lattice.places(laid.stroke);
         let strut = lattice.strut(laid.stroke);
         let blame = BLAME * f64::from(self.blame[strut as usize]);
-        let top = (from.z.max(to.z) / rules.strand).round() - blame;
+        let chance = CHANCE * self.chance(strut);
+        let top = (from.z.max(to.z) / rules.strand + chance).round() - blame;
         let floats = f64::from(u8::from(laid.floating));
         let hangs =
             if laid.floating { (state.hanging(laid.stroke) / rules.strand).round() } else { 0.0 };

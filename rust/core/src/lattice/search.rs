@@ -1,5 +1,5 @@
-//! The search: rounds, each of which prints what ranks first, never what would lock others, and steps
-//! back some where nothing is left; what a round leaves, the next one prefers.
+//! The search: rounds, each of which prints what ranks first, never what would lock or strand others, and
+//! steps back some where nothing is left; what a round could not begin, the next one prefers.
 //!
 //! After Joslin and Clements, *Squeaky wheel optimization*, JAIR 10, 1999; that what is locked is told
 //! from the end: Huang, Garrett et al., *Scalable and probabilistically complete planning for robotic
@@ -15,22 +15,30 @@ const ROUNDS: usize = 24;
 /// Struts that a round takes back at most, for each of the lattice.
 const BACK: usize = 1;
 
-/// Finds an order in which every strut can be printed, or as many as can be found.
+/// Finds an order in which every strut can be printed, or as many as can be found; none where it is
+/// proven beforehand that some cannot.
 ///
 /// The same lattice gives the same order.
 #[must_use]
 pub fn order(lattice: &Lattice, head: &Head, rules: &Rules) -> Ordered {
     let bars = Bars::of(lattice, head, rules);
-    let locked = State::new(lattice, rules, &bars).locked();
+    let nothing = State::new(lattice, rules, &bars);
+    let locked = nothing.locked();
     if !locked.is_empty() {
         let left = locked.into_iter().map(|strut| (strut, Why::Locked)).collect();
         return Ordered { strokes: Vec::new(), left };
+    }
+    let reached = reached(lattice, &bars, rules);
+    let stranded = nothing.stranded();
+    if !stranded.is_empty() {
+        let why = |strut| (strut, Round::default().why(lattice, rules, &bars, &reached, strut));
+        return Ordered { strokes: Vec::new(), left: stranded.into_iter().map(why).collect() };
     }
     let (mut rank, mut steps) = (Rank::new(lattice), rules.most_steps);
     let mut best = Round::default();
     for _ in 0..ROUNDS {
         let round = Round::run(lattice, rules, &bars, &rank, &mut steps);
-        rank.blame(&round.stuck);
+        rank.blame(&round.next);
         if round.laid.len() > best.laid.len() || best.stuck.is_empty() {
             best = round;
         }
@@ -38,7 +46,6 @@ pub fn order(lattice: &Lattice, head: &Head, rules: &Rules) -> Ordered {
             break;
         }
     }
-    let reached = reached(lattice, &bars, rules);
     let why = |&strut: &u32| (strut, best.why(lattice, rules, &bars, &reached, strut));
     Ordered { left: best.stuck.iter().map(why).collect(), strokes: best.laid }
 }
@@ -48,6 +55,8 @@ pub fn order(lattice: &Lattice, head: &Head, rules: &Rules) -> Ordered {
 struct Round {
     laid: Vec<Laid>,
     stuck: Vec<u32>,
+    /// Of these, what something held; the others waited for them.
+    next: Vec<u32>,
     /// Of these, what only hung too far.
     hung: Vec<u32>,
 }
@@ -92,8 +101,11 @@ impl Round {
             let mut reached = lattice.strokes_of(strut).filter_map(|stroke| state.reached(stroke));
             reached.any(|laid| !state.holds(laid))
         };
-        let hung = stuck.iter().filter(hangs).copied().collect();
-        Self { laid: state.laid.clone(), stuck, hung }
+        let meets =
+            |&&strut: &&u32| lattice.edges[strut as usize].iter().any(|&node| state.is_held(node));
+        let next: Vec<u32> = stuck.iter().filter(meets).copied().collect();
+        let hung = next.iter().filter(hangs).copied().collect();
+        Self { laid: state.laid.clone(), stuck, next, hung }
     }
 
     /// Why a strut is not among what was printed.
@@ -117,8 +129,10 @@ impl Round {
             Why::FromAbove
         } else if self.hung.binary_search(&strut).is_ok() {
             Why::Hangs
-        } else {
+        } else if self.next.binary_search(&strut).is_ok() {
             Why::Barred
+        } else {
+            Why::Waits
         }
     }
 }

@@ -83,6 +83,32 @@ impl<'a> State<'a> {
         self.hang[from as usize] + self.lattice.length(stroke)
     }
 
+    /// The struts that do not stand yet and can never be begun: no way leads there past what stands, not
+    /// even by way of all others.
+    pub fn stranded(&self) -> Vec<u32> {
+        let nodes = 0..self.lattice.nodes.len() as u32;
+        let mut held: Vec<bool> = nodes.map(|node| self.is_held(node)).collect();
+        let mut todo: Vec<u32> =
+            (0..self.lattice.len() as u32).filter(|&strut| !self.printed[strut as usize]).collect();
+        loop {
+            let before = todo.len();
+            todo.retain(|&strut| {
+                let mut strokes = self.lattice.strokes_of(strut);
+                let begun = strokes.find(|&stroke| {
+                    let [from, _] = self.lattice.ends(stroke);
+                    held[from as usize] && self.is_open(stroke)
+                });
+                for node in self.lattice.edges[strut as usize] {
+                    held[node as usize] |= begun.is_some();
+                }
+                begun.is_none()
+            });
+            if todo.is_empty() || todo.len() == before {
+                return todo;
+            }
+        }
+    }
+
     /// Prints a stroke, unless some others could then never be printed all.
     pub fn try_print(&mut self, laid: Laid) -> bool {
         let own = self.lattice.strut(laid.stroke);
@@ -91,7 +117,7 @@ impl<'a> State<'a> {
             other != own && !self.printed[other as usize] && self.is_open(barred)
         });
         self.print(laid);
-        if bars_more && !self.locked().is_empty() {
+        if bars_more && (!self.locked().is_empty() || !self.stranded().is_empty()) {
             self.take_back();
             return false;
         }
