@@ -302,3 +302,41 @@ def cura_changes(definition=None):
     pieces = [text[at : at + 70] for at in range(0, len(text), 70)]
     head = ";FLAVOR:Marlin\n;TARGET_MACHINE.NAME:Maker Two\nG28\n"
     return head + "".join(f";SETTING_3 {piece}\n" for piece in pieces)
+
+
+def cura_project(**changed):
+    """A project of Cura's: the machine with what it inherits, in groups, and what was changed."""
+    told = CURA_BASE["overrides"] | CURA["overrides"]
+    as_text = {
+        key: {one: f"={value}" if one == "value" else str(value) for one, value in entry.items()}
+        for key, entry in told.items()
+    }
+    machine = {"label": "Machine", "children": {key: as_text.pop(key) for key in list(as_text)[:9]}}
+    definition = {"name": "Maker Two", "settings": {"machine": machine, **as_text}}
+    own = {"machine": {"children": CURA_EXTRUDER["overrides"]}}
+    extruder = {"name": "Extruder", "settings": own}
+    stack = "[general]\nname = {}\n\n[metadata]\nposition = {}\n\n[containers]\n{}"
+    chains = {
+        "attic #2.global.cfg": ("attic", "", ["attic_user", "empty_quality", "attic", "maker_two"]),
+        "left #2.extruder.cfg": ("Left", "0", ["left_user", "nozzle", "maker_left"]),
+        "right #2.extruder.cfg": ("Right", "1", ["right_user", "maker_left"]),
+    }
+    files = {
+        "maker_two.def.json": json.dumps(definition, indent=4),
+        "maker_left.def.json": json.dumps(extruder, indent=4),
+        "attic_user.inst.cfg": "[values]\nmachine_height = 240\n",
+        "attic.inst.cfg": "[values]\nmachine_height = 230\nretraction_speed = 41\n",
+        "nozzle.inst.cfg": "[values]\nmachine_nozzle_size = 0.6\n",
+        "left_user.inst.cfg": "[values]\nretraction_amount = =machine_nozzle_size * 10\n",
+        "right_user.inst.cfg": "[values]\nmachine_nozzle_size = 0.25\n",
+        "version.ini": "[versions]\ncura_version = 5.6.0\n",
+    }
+    for name, (called, position, chain) in chains.items():
+        listed = "\n".join(f"{number} = {one}" for number, one in enumerate(chain))
+        files[name] = stack.format(called, position, listed)
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w") as archive:
+        archive.writestr("3D/3dmodel.model", "<model/>")
+        for name, content in (files | changed).items():
+            archive.writestr(f"Cura/{name}", content)
+    return file.getvalue()

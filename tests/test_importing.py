@@ -15,6 +15,7 @@ from wireprint.importing.completion import BOUNDED
 from wireprint.importing.hotends import HOTENDS
 from wireprint.importing.trial import tried
 from wireprint.keys import described
+from wireprint.lineage import namesake, tables
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
 from wireprint.settings import Settings
@@ -36,6 +37,7 @@ def folder(tmp_path):
     (tmp_path / "maker_two.def.json").write_text(json.dumps(files.CURA, indent=4))
     extruder = json.dumps(files.CURA_EXTRUDER, indent=4)
     (tmp_path / "maker_two_extruder_0.def.json").write_text(extruder)
+    (tmp_path / "cura.3mf").write_bytes(files.cura_project())
     (tmp_path / "prusa.gcode").write_text(files.block(files.SLIC3R))
     (tmp_path / "orca.gcode").write_text(files.orca_block())
     project = files.project("Metadata/project_settings.config", json.dumps(files.orca_config()))
@@ -165,6 +167,13 @@ FIGURES = {
         "extruder.retract_speed_mm_s": 47,
         "gcode.flavor": "marlin",
     },
+}
+FIGURES["cura.3mf"] = FIGURES["maker_two.def.json"] | {
+    # The nozzle's own file, what was changed of the machine, and by its user.
+    "head.nozzle_mm": 0.6,
+    "bed.height_mm": 240,
+    "extruder.retract_mm": 6,
+    "extruder.retract_speed_mm_s": 41,
 }
 FIGURES["prusa.gcode"] = FIGURES["prusa.3mf"] = FIGURES["maker.ini"]
 FIGURES["orca.gcode"] = FIGURES["orca.3mf"] = FIGURES["cube.json"]
@@ -313,6 +322,51 @@ def test_a_block_of_settings_ends_where_it_says(folder):
     after = "".join(f"; max_print_height = {height}\n" for height in range(30))
     (folder / "more.gcode").write_text(lines + after)
     assert imported([folder / "more.gcode"], hotend="v6").values["bed"]["height_mm"] == 243
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "fault"),
+    [
+        ("maker_two.def.json", "{ no", "maker_two.def.json"),
+        ("attic_user.inst.cfg", "machine_height = 1", "attic_user.inst.cfg: no settings of Cura"),
+        (
+            "attic_user.inst.cfg",
+            "[values]\nmachine_height = tall",
+            "attic_user.inst.cfg, machine_hei",
+        ),
+        ("attic #2.global.cfg", "[containers", "attic #2.global.cfg: no settings of Cura"),
+        ("attic_user.inst.cfg", "\0", "attic_user.inst.cfg:1: it holds zeros"),
+    ],
+)
+def test_what_is_damaged_of_a_project_of_curas_is_named(tmp_path, name, content, fault):
+    (tmp_path / "p.3mf").write_bytes(files.cura_project(**{name: content}))
+    with pytest.raises(SettingError) as error:
+        imported([tmp_path / "p.3mf"], hotend="v6")
+    assert fault in str(error.value)
+    assert "p.3mf" in str(error.value)
+
+
+def test_a_printer_of_ours_by_its_name_completes_what_is_not_said(tmp_path):
+    config = files.SLIC3R | {"printer_settings_id": "my own", "printer_model": "MK4S"}
+    (tmp_path / "mine.gcode").write_text(files.block(config))
+    found = imported([tmp_path / "mine.gcode"], namesake=namesake)
+    own = Settings.load("prusa-mk4s").printer
+    assert found.values["name"] == "my own"
+    assert found.values["head"]["slant_deg"] == own.head.slant_deg
+    assert found.comments["head", "slant_deg"] == "as prusa-mk4s has it"
+    assert any("'MK4S' is as our prusa-mk4s has it" in remark for remark in found.remarks)
+    # What the file says is its own, and what is asked for goes before what is called alike.
+    assert found.values["bed"]["width_mm"] == 231
+    other = imported([tmp_path / "mine.gcode"], hotend="ultimaker", namesake=namesake)
+    assert other.values["head"]["slant_deg"] == 45
+
+
+def test_speeds_of_a_quicker_printer_are_kept_within_the_machines(folder):
+    slow = files.SLIC3R | {"machine_max_feedrate_x": "120", "machine_max_feedrate_y": "120"}
+    (folder / "slow.ini").write_text(files.ini(slow))
+    found = imported([folder / "slow.ini"], like=("bambu-x1c", tables("bambu-x1c")))
+    assert found.values["speeds"]["travel_mm_s"] == found.values["motion"]["max_velocity"] == 120
+    tried(found)
 
 
 def test_the_heads_shape_is_asked_for(folder):

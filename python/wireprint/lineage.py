@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -10,6 +11,8 @@ from wireprint import catalogue, toml
 from wireprint._core import SettingError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
     from wireprint.toml import Key
 
 #: The key that names another profile, whose figures hold wherever a profile has none.
@@ -20,6 +23,10 @@ _MOST_GENERATIONS: Final = 10
 _OWN: Final = ("name", "known_as")
 #: Sizes of a bed that go with its shape.
 _SIZES_OF_SHAPES: Final = ("diameter_mm", "width_mm", "depth_mm")
+
+
+#: What names of presets say of the nozzle, which is a figure of its own.
+_NOZZLE: Final = re.compile(r"\s*\(?\b\d?\.\d+ ?(?:mm)? nozzle\b\)?", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -108,6 +115,35 @@ def tables(name: str) -> dict[str, Any]:
     return values
 
 
+def profile_called(names: Iterable[str]) -> tuple[str, str] | None:
+    """Return the profile of a shipped printer that is called by one of the names, and that name."""
+    wanted = {_plain(name): name for name in names}
+    if not wanted:
+        return None
+    for profile in catalogue.names("printers"):
+        for alias in (profile, *tables(profile).get("known_as", ())):
+            if (written := wanted.get(_plain(alias))) is not None:
+                return profile, written
+    return None
+
+
+def namesake(names: Sequence[str]) -> tuple[str, str, dict[str, Any]] | None:
+    """Return the shipped printer that a preset's names mean, whatever nozzle they name.
+
+    Returns
+    -------
+    tuple
+        Its profile, the name that means it, and its tables.
+    """
+    found = profile_called([*names, *(_NOZZLE.sub("", name) for name in names)])
+    return found and (*found, tables(found[0]))
+
+
+def _plain(name: str) -> str:
+    """Write a name so that spelling does not matter: ``Voron 2.4`` as ``voron24``."""
+    return re.sub(r"[^a-z0-9]", "", name.lower())
+
+
 def _foreign(name: str) -> tuple[str, str] | None:
     """Return a file of another program's, and what it is completed by; None for a profile."""
     path, _, by = name.partition("#")
@@ -120,5 +156,5 @@ def _imported(path: str, by: str) -> Generation:
 
     hotend = by if by in HOTENDS else None
     like = (by, tables(by)) if by and hotend is None else None
-    found = imported([path], hotend=hotend, like=like)
+    found = imported([path], hotend=hotend, like=like, namesake=namesake)
     return Generation(Path(path), found.text(), dict(found.values), {})

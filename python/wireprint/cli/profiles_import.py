@@ -46,11 +46,11 @@ def import_profile(
     """
     from wireprint.importing import imported
     from wireprint.importing.trial import tried
-    from wireprint.lineage import tables
+    from wireprint.lineage import namesake, tables
 
     target = files.output(output, "printer.toml", (".toml",), sources)
     elder = None if like is None else (like, tables(like))
-    found = imported(sources, hotend=hotend, like=elder, preset=preset)
+    found = imported(sources, hotend=hotend, like=elder, preset=preset, namesake=namesake)
     if name is not None:
         found.values["name"] = name
     found, settings = tried(found)

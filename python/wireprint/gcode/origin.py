@@ -35,18 +35,9 @@ def printers_named_in(text: bytes) -> list[str]:
 
 def known_printer(text: bytes) -> tuple[str, str] | None:
     """Return the profile of the printer that a file names, and that name; None if unknown."""
-    wanted = {_plain(name): name for name in printers_named_in(text)}
-    if not wanted:
-        return None
-    from wireprint import catalogue
-    from wireprint.settings import Settings
+    from wireprint.lineage import profile_called
 
-    for profile in catalogue.names("printers"):
-        aliases = Settings.load(profile).printer.known_as
-        for alias in (profile, *aliases):
-            if (written := wanted.get(_plain(alias))) is not None:
-                return profile, written
-    return None
+    return profile_called(printers_named_in(text))
 
 
 def stated_time_s(text: bytes) -> float | None:
@@ -68,8 +59,3 @@ def _seconds(text: bytes) -> float | None:
     except ValueError:
         return None
     return seconds if seconds <= _LONGEST_S else None
-
-
-def _plain(name: str) -> str:
-    """Write a name so that spelling does not matter: ``Voron 2.4`` as ``voron24``."""
-    return re.sub(r"[^a-z0-9]", "", name.lower())

@@ -16,6 +16,7 @@ from wireprint.importing.reading import text_of
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from wireprint.importing.completion import Namesake
     from wireprint.importing.draft import Draft
     from wireprint.toml import Key
 
@@ -63,6 +64,7 @@ def imported(
     hotend: str | None = None,
     like: tuple[str, Mapping[str, Any]] | None = None,
     preset: str | None = None,
+    namesake: Namesake | None = None,
 ) -> Imported:
     """Read a printer from files of other programs.
 
@@ -78,6 +80,9 @@ def imported(
         Printer whose figures hold where the files have none: its name and its tables.
     preset
         Which printer of a bundle is meant.
+    namesake
+        Finds the printer that holds where nothing else is named, by what the files call theirs;
+        `wireprint.lineage.namesake` does.
 
     Raises
     ------
@@ -91,7 +96,7 @@ def imported(
         draft = other if draft is None else _laid_over(draft, other)
     if draft is None:
         raise SettingError("no file to import is named")
-    complete(draft, str(files[0]), hotend, like)
+    complete(draft, str(files[0]), hotend, like, namesake)
     values = {key: draft.values[key] for key in _ORDER if key in draft.values}
     names = tuple(path.name for path in files)
     return Imported(values, draft.comments, tuple(draft.remarks), names)
@@ -103,6 +108,7 @@ def _laid_over(below: Draft, above: Draft) -> Draft:
         below.values.pop("bed", None)
     toml.merge(below.values, above.values)
     below.comments |= above.comments
+    below.called += above.called
     for remark in above.remarks:
         below.remark(remark)
     return below
@@ -127,14 +133,12 @@ def _draft_of(path: Path, preset: str | None) -> Draft:
     if name.endswith(".ini"):
         text = text_of(path)
         return slic3r.draft_of(bundle.configuration(text, path.name, preset), str(path))
-    if name.endswith(".3mf") and (found := embedded.in_3mf(path)) is not None:
-        return slic3r.draft_of(found, str(path))
     if not path.is_file():
         raise SettingError(f"{path}: no such file")
-    config_of_gcode = embedded.in_gcode(path)
-    if "definition" in config_of_gcode:
-        return cura.draft_of(config_of_gcode, str(path))
-    return slic3r.draft_of(config_of_gcode, str(path))
+    found = embedded.in_3mf(path) if name.endswith(".3mf") else None
+    config_of_file = found if found is not None else embedded.in_gcode(path)
+    draft_of = cura.draft_of if "definition" in config_of_file else slic3r.draft_of
+    return draft_of(config_of_file, str(path))
 
 
 def motion_of(path: str | Path) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import SettingError
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
     from wireprint.importing.draft import Draft
 
+#: Finds a printer of ours by names: its profile, the name that means it, and its tables.
+Namesake = Callable[[list[str]], "tuple[str, str, Mapping[str, Any]] | None"]
 #: What makes a head's shape; a nozzle is known from anywhere.
 _SHAPE: Final = ("tip_radius_mm", "slant_deg", "cone_height_mm", "block_radius_mm")
 #: What must be known of any printer.
@@ -55,6 +58,9 @@ BOUNDED: Final = {
     "motion.marlin.retract_accel": Accel,
     "motion.marlin.jerk": CornerSpeed,
 }
+#: Of a carriage that nothing is known of: as the MK4S's and the Voron's.
+_CARRIAGE_HEIGHT_MM: Final = 14
+_CARRIAGE_RADIUS_MM: Final = 45
 _DELTA: Final = ("delta_radius", "arm_length", "step_distance", "endstop_height")
 
 
@@ -63,6 +69,7 @@ def complete(
     name: str,
     hotend: str | None,
     like: tuple[str, Mapping[str, Any]] | None,
+    namesake: Namesake | None,
 ) -> None:
     """Fill a draft up until it is a profile.
 
@@ -76,6 +83,8 @@ def complete(
         Name in the table of hot ends; None: not said.
     like
         Printer whose figures hold where the source has none: its name and its tables.
+    namesake
+        Finds a printer by the names that the source has for it; see `imported`.
 
     Raises
     ------
@@ -84,11 +93,16 @@ def complete(
     """
     _settle(draft)
     _keep_within_bounds(draft)
+    if hotend is not None:
+        hotends.add_to(draft, hotend)
+    find = namesake if like is None and _lacks(draft) else None
+    if find is not None and (found := find(draft.called)) is not None:
+        profile, called, values = found
+        like = profile, values
+        draft.remark(f"what is not said of {called!r} is as our {profile} has it, the head, too")
     if like is not None:
         elder, values = like
         _fill_from(draft, values, f"as {elder} has it", ())
-    if hotend is not None:
-        hotends.add_to(draft, hotend)
     missing = [key for key in _NEEDED if draft.get(key) is None]
     if missing:
         msg = (
@@ -113,6 +127,13 @@ def complete(
         )
         raise SettingError(msg)
     _estimate(draft)
+
+
+def _lacks(draft: Draft) -> bool:
+    """Whether something is missing that must not be guessed."""
+    delta = _DELTA if draft.get("kinematics") == "delta" else ()
+    needed = (*_NEEDED, *(f"head.{key}" for key in _SHAPE), *(f"motion.{key}" for key in delta))
+    return any(draft.get(key) is None for key in needed)
 
 
 def _settle(draft: Draft) -> None:
@@ -188,17 +209,22 @@ def _estimate(draft: Draft) -> None:
     draft.fill("speeds.print_mm_s", 30, "the paper's optimum with a pause")
     draft.fill("speeds.travel_mm_s", round(min(fast, 150.0)), "estimate: at most 150")
     draft.fill("speeds.first_layer_mm_s", 20, "estimate: for a grip on the bed")
+    for key in ("print_mm_s", "travel_mm_s", "first_layer_mm_s"):
+        # Another printer's may be more than this one has.
+        if draft.get(f"speeds.{key}") > fast:
+            draft.put(f"speeds.{key}", fast, "all that the machine has")
     draft.fill("gcode.start", sequences.plain_start(), "nothing says how a print starts")
     draft.fill("gcode.end", sequences.PLAIN_END, "nothing says how a print ends")
     draft.fill("cooling.method", "fan", "as most are sold")
     head = draft.get("head")
-    height = max(head.get("carriage_height_mm") or 14, head["cone_height_mm"])
+    # Slicers tell a clearance that may be too large for the block, but not too small.
+    height = max(head.get("carriage_height_mm") or _CARRIAGE_HEIGHT_MM, head["cone_height_mm"])
     draft.put(
         "head.carriage_height_mm",
         height,
         draft.comments.get(("head", "carriage_height_mm"), "estimate: measure it"),
     )
-    radius = max(head.get("carriage_radius_mm") or 45, head["block_radius_mm"])
+    radius = max(head.get("carriage_radius_mm") or _CARRIAGE_RADIUS_MM, head["block_radius_mm"])
     draft.put(
         "head.carriage_radius_mm",
         radius,

@@ -104,6 +104,8 @@ def draft_of(config: Config, name: str) -> Draft:
     if definition is not None and definition.text not in BASES and "machine_width" not in config:
         called = one_line(definition.text)[:100]
         draft.hint = f"Cura's {called}.def.json has what it does not say; import both, it first"
+    for key in ("machine_name", "definition"):
+        draft.called += [config[key].text] if key in config else []
     given = config.get("machine_name", definition)
     if given is not None and given.text.strip():
         draft.put("name", one_line(given.text)[:100], given.place)

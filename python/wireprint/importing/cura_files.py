@@ -20,6 +20,8 @@ BASES: Final = ("fdmprinter", "fdmextruder")
 _MOST_ELDERS: Final = 40
 #: Name of a file in the same folder, without its end.
 _FILE: Final = re.compile(r"[\w.\- ]{1,200}")
+#: A name in front of what it stands for.
+_KEY: Final = re.compile(r'"(\w+)"\s*:')
 #: A choice in Python's words, which nobody but Cura can make.
 _FORMULA: Final = re.compile(r"\bif\b.*\belse\b", re.DOTALL)
 
@@ -55,26 +57,50 @@ def _machine(path: Path, text: str, heirs: tuple[Path, ...]) -> tuple[Config, Co
             raise SettingError(f"{place}: definitions inherit in a circle: {names}")
         found, extruder = _machine(other, text_of(other), chain)
     extruder = _extruder(path, table) or extruder
-    overrides = table.get("overrides")
     if isinstance(table.get("name"), str):
         found["machine_name"] = Given(table["name"], f"{path.name}, name")
-    return found | _overridden(overrides, text, path.name, found | extruder), extruder
+    return found | stated(table, text, path.name, found | extruder), extruder
 
 
-def _overridden(overrides: Any, text: str, name: str, known: Config) -> Config:
-    """Return what a file states, formulas computed from that and from what is known."""
-    lines = text.splitlines()
+def stated(table: dict[str, Any], text: str, name: str, known: Config) -> Config:
+    """Return what a definition states, formulas computed from that and from what is known.
+
+    Parameters
+    ----------
+    table, text
+        The file, parsed and as it is.
+    name
+        What places call it.
+    known
+        What other files state.
+    """
+    lines: dict[str, int] = {}
+    for number, line in enumerate(text.splitlines(), start=1):
+        for key in _KEY.findall(line):
+            lines.setdefault(key, number)
     found: Config = {}
-    for key, entry in overrides.items() if isinstance(overrides, dict) else ():
-        if isinstance(entry, dict):
-            line = next((n for n, one in enumerate(lines, 1) if f'"{key}"' in one), 1)
-            place = f"{name}:{line}, {one_line(key)}"
-            # A formula that is none of ours leaves what stands beside it.
-            usual = entry.get("default_value")
-            for one in (entry.get("value", usual), usual):
-                if (given := _given(one, place, known | found)) is not None:
-                    found[key] = given
-                    break
+    for key, entry in _entries(table):
+        place = f"{name}:{lines.get(key, 1)}, {one_line(key)}"
+        # A formula that is none of ours leaves what stands beside it.
+        usual = entry.get("default_value")
+        for one in (entry.get("value", usual), usual):
+            stripped = one.removeprefix("=") if isinstance(one, str) else one
+            if (value := given(stripped, place, known | found)) is not None:
+                found[key] = value
+                break
+    return found
+
+
+def _entries(table: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
+    """Return what a file overrides, and what it holds as groups within groups, as projects do."""
+    found: list[tuple[str, dict[str, Any]]] = []
+    groups = [table.get("settings"), table.get("overrides")]
+    while groups:
+        group = groups.pop()
+        for key, entry in group.items() if isinstance(group, dict) else ():
+            if isinstance(entry, dict):
+                found.append((key, entry))
+                groups.append(entry.get("children"))
     return found
 
 
@@ -90,11 +116,12 @@ def _extruder(path: Path, table: dict[str, Any]) -> Config:
         if file.is_file():
             text = text_of(file)
             own = json_object(text, str(file))
-            return _overridden(own.get("overrides"), text, file.name, {})
+            return stated(own, text, file.name, {})
     return {}
 
 
-def _given(value: Any, place: str, known: Config) -> Given | None:
+def given(value: Any, place: str, known: Config) -> Given | None:
+    """Return a value as text, a formula computed; None where only Cura can."""
     if isinstance(value, bool):
         return Given(str(int(value)), place)
     if isinstance(value, int | float):

@@ -25,6 +25,8 @@ class Draft:
     remarks: list[str] = field(default_factory=list)
     #: Where the rest stands, for one who misses it.
     hint: str = ""
+    #: What the source calls the printer, in any of its keys.
+    called: list[str] = field(default_factory=list)
     #: Temperatures that the source has for its filament, °C.
     temperatures: dict[str, float] = field(default_factory=dict)
 

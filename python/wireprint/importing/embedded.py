@@ -6,11 +6,12 @@ import json
 import re
 import zipfile
 import zlib
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from wireprint._core import GcodeError, SettingError
 from wireprint.gcode import source
-from wireprint.importing import cura_files, orca
+from wireprint.importing import cura_files, cura_project, orca
 from wireprint.importing.reading import MOST_BYTES, Config, Given, decoded
 from wireprint.text import one_line
 
@@ -51,17 +52,22 @@ def in_3mf(path: Path) -> Config | None:
     """
     try:
         with zipfile.ZipFile(path) as archive:
-            names = {info.filename: info for info in archive.infolist()}
+            parts = {name: partial(_read, archive, name) for name in archive.namelist()}
             for part in (_ORCA_PART, _PRUSA_PART):
-                if part in names:
-                    with archive.open(names[part]) as file:
-                        content = file.read(MOST_BYTES + 1)
+                if part in parts:
+                    content = parts[part]()
                     if len(content) > MOST_BYTES:
                         raise SettingError(f"{path}: {part} is larger than any settings")
                     return _of_part(decoded(content, f"{path}, {part}"), part, path)
+            return cura_project.settings(parts, path.name) or None
     except (zipfile.BadZipFile, zlib.error, OSError, RuntimeError, NotImplementedError) as error:
         raise SettingError(f"{path}: a damaged zip archive: {error}") from None
-    return None
+
+
+def _read(archive: zipfile.ZipFile, name: str) -> bytes:
+    """Return a part's bytes, a byte more than settings have at most."""
+    with archive.open(name) as file:
+        return file.read(MOST_BYTES + 1)
 
 
 def _of_part(text: str, part: str, path: Path) -> Config:

@@ -60,10 +60,6 @@ HOTENDS: Final[dict[str, Hotend]] = {
     "jhead": Hotend(0.15, 32, 6, 20, 15, "WirePrint (UIST 2014): 32°, 6 mm high"),
 }
 
-#: Of a carriage that nothing is known of: as the MK4S's and the Voron's.
-_CARRIAGE_HEIGHT_MM: Final = 14
-_CARRIAGE_RADIUS_MM: Final = 45
-
 
 def find(name: str) -> Hotend:
     """Return a hot end of the table.
@@ -92,8 +88,4 @@ def add_to(draft: Draft, name: str) -> None:
     draft.fill("head.slant_deg", hotend.slant_deg, said)
     draft.fill("head.cone_height_mm", hotend.cone_height_mm, said)
     draft.fill("head.block_radius_mm", hotend.block_radius_mm, said)
-    # Slicers tell a clearance that may be too large for the block, but not too small.
-    height = max(_CARRIAGE_HEIGHT_MM, hotend.cone_height_mm)
-    draft.fill("head.carriage_height_mm", height, "estimate: measure it")
-    draft.fill("head.carriage_radius_mm", _CARRIAGE_RADIUS_MM, "estimate: measure it")
     draft.fill("extruder.max_flow_mm3_s", hotend.max_flow_mm3_s, said)

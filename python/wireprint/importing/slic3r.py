@@ -117,9 +117,9 @@ def _add_name(draft: Draft, config: Config) -> None:
     for key in ("printer_settings_id", "printer_model", "name"):
         given = config.get(key)
         if given is not None and (called := given.text.strip().strip('"').strip()):
-            draft.put("name", one_line(called)[:100], _source(given))
-            draft.put("known_as", [one_line(called)[:100]], "as the slicer writes it")
-            return
+            draft.called.append(called)
+            draft.fill("name", one_line(called)[:100], _source(given))
+            draft.fill("known_as", [one_line(called)[:100]], "as the slicer writes it")
 
 
 def _add_bed(draft: Draft, config: Config) -> None:
