@@ -12,7 +12,7 @@ from numpydoc.validate import validate
 from pydantic import BaseModel
 
 import wireprint
-from wireprint import inputs, keys, regions, settings, view
+from wireprint import budget, inputs, keys, regions, settings, splicing, standing, struts, view
 
 #: What must not be said of any public name: undocumented parameters (PR01), parameters that are
 #: none (PR02), results that are not told (RT01), no text at all (GL08), no summary (SS01).
@@ -23,6 +23,10 @@ MODULES = {
     keys: ("Key",),
     regions: tuple(regions.__all__),
     settings: ("describe",),
+    budget: tuple(budget.__all__),
+    splicing: ("splice", "Spliced"),
+    standing: ("Standing", "Stopped", "read_prints"),
+    struts: ("Graph", "OrderedGraph", "order", "read_struts", "struts_as"),
     view: ("load", "render_png", "render_html", "strands_in", "strands_of", "thumbnails"),
 }
 

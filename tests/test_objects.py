@@ -1,6 +1,7 @@
 """Public objects: they say in a line what they are, show themselves in notebooks, and travel."""
 
 import copy
+import inspect
 import multiprocessing
 import pickle
 
@@ -8,7 +9,7 @@ import numpy as np
 import pytest
 
 import wireprint
-from wireprint import examples, view
+from wireprint import budget, examples, standing, struts, view
 from wireprint.regions import Predicate, Region, Sphere
 
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -27,9 +28,18 @@ def made(mesh):
     return wireprint.make(mesh, wireprint.Settings.load(), region, orient=True, weak=True)
 
 
+def tripod():
+    turns = np.radians([0, 120, 240])
+    feet = np.column_stack([14 * np.cos(turns), 14 * np.sin(turns), np.zeros(3)])
+    return struts.Graph([*feet, [0, 0, 6]], [[0, 3], [1, 3], [2, 3]])
+
+
 @pytest.fixture(scope="module")
 def objects(mesh, made):
     timed = wireprint.estimate(made.gcode, per_move=True)
+    compared = wireprint.compare(mesh, made.settings, ["wireprint", "vase"])
+    ordered = struts.order(tripod(), made.settings)
+    budgeted = budget.within(mesh, made.settings, budget.Budget(time_s=3600))
     found = [
         mesh,
         made,
@@ -45,7 +55,16 @@ def objects(mesh, made):
         wireprint.Model(
             mesh, Region().add(Sphere(centre_mm=(0, 0, 9), radius_mm=4)), made.settings
         ),
-        wireprint.compare(mesh, made.settings, ["wireprint", "vase"]),
+        Region().add(Sphere(centre_mm=(0, 0, 9), radius_mm=4)),
+        compared,
+        compared.conditions[0],
+        ordered,
+        ordered.graph,
+        budgeted,
+        budgeted.budget,
+        budgeted.front[0],
+        standing.Standing((("cube.gcode", made.gcode),), settings=made.settings),
+        standing.Stopped(z_mm=9.0),
         view.load(made),
         wireprint.settings.describe()[0],
     ]
@@ -85,6 +104,25 @@ def test_each_says_what_it_is_in_one_short_line(objects):
         assert len(repr(objects[f"wireprint.{name}"])) < 120
     assert "certified" in repr(objects["wireprint.pipeline.WirePrint"])
     assert repr(objects["wireprint.settings.Settings"]) == "<Settings kossel-mini with abs>"
+
+
+def test_every_class_that_the_library_offers_is_looked_at(objects):
+    offered = [getattr(wireprint, name) for name in wireprint.__all__]
+    offered += [vars(struts)[name] for name in struts.__all__]
+    offered += [vars(budget)[name] for name in budget.__all__]
+    offered += [standing.Standing, standing.Stopped]
+    for one in offered:
+        if inspect.isclass(one) and not issubclass(one, (Exception, wireprint.Forecast)):
+            # A region's shapes are classes of their own, which it holds.
+            names = {f"{kind.__module__}.{kind.__name__}" for kind in one.__mro__}
+            assert names & objects.keys(), one
+
+
+def test_arrays_of_every_class_are_read_only(objects):
+    for name, one in objects.items():
+        held = vars(one).values() if hasattr(one, "__dict__") else ()
+        arrays = [value for value in held if isinstance(value, np.ndarray)]
+        assert not any(array.flags.writeable for array in arrays), name
 
 
 def test_a_pickle_gives_back_the_same(objects):

@@ -109,6 +109,17 @@ def test_an_objects_strands_lie_all_over_it():
     assert off[points[:, 2] > 0].max() < SETTINGS.printer.head.nozzle_mm / 2
 
 
+def test_a_print_is_continued_from_wherever_it_was_stopped(whole):
+    """Also where the last strand had come to nothing that holds it."""
+    lines = whole.gcode.count(b"\n")
+    for line in range(lines // 2, lines // 2 + 40, 3):
+        stopped = standing.Stopped(line=line)
+        text = standing.stopped_text(whole.gcode, stopped, SETTINGS)
+        stands = standing.Standing((("first.gcode", text),), settings=SETTINGS)
+        again = wireprint.make(whole.mesh, SETTINGS, standing=stands)
+        assert again.certificate.ok, line
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [("soon", "no height"), ("line:1.5", "no height"), ("-3", "no height"), ("", "no height")],

@@ -576,3 +576,17 @@ def test_struts_that_no_order_has_are_named_alone():
     with pytest.raises(wireprint.UnprintableError, match="no order has them all") as refused:
         order(both, SETTINGS)
     assert str(refused.value).startswith(f"2 of {len(both)} struts cannot be printed")
+
+
+def test_a_size_in_which_it_can_be_printed_is_told_and_right():
+    """A tripod whose legs are as long as nothing may hang."""
+    turns = np.radians([0, 120, 240])
+    feet = np.column_stack([22 * np.cos(turns), 22 * np.sin(turns), np.zeros(3)])
+    large = Graph([*feet, [0, 0, 12]], [[0, 3], [1, 3], [2, 3], [0, 1], [1, 2], [2, 0]])
+    settings = wireprint.Settings.load("kossel-mini", "abs", overrides=LONG_NEEDLE)
+    with pytest.raises(wireprint.UnprintableError, match=r"(?s)hang.*times as large") as refused:
+        order(large, settings)
+    factor = float(str(refused.value).split()[-1])
+    assert order(large.moved((0, 0, 0), factor), settings).certificate.ok
+    with pytest.raises(wireprint.UnprintableError):
+        order(large.moved((0, 0, 0), 1.1), settings)

@@ -7,6 +7,7 @@ wherever it would meet the object's surface, and their own breaches are left asi
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING, Final
 
 from wireprint import _core
 from wireprint._core import SettingError
+from wireprint.gcode.flavors import FLAVORS
 from wireprint.gcode.source import read
 from wireprint.rules import rules_of
 
@@ -40,11 +42,22 @@ class Stopped:
 
     #: Height that it had come to, mm, or the last line that was carried out; one is None.
     z_mm: float | None = None
+    #: Number of the last line that was carried out, from 1.
     line: int | None = None
 
     @classmethod
     def read(cls, text: str) -> Stopped:
         """Read ``40.5`` (a height, mm) or ``line:1234``.
+
+        Parameters
+        ----------
+        text
+            As the command takes it.
+
+        Returns
+        -------
+        Stopped
+            The height or the line.
 
         Raises
         ------
@@ -83,7 +96,18 @@ class Standing:
         return _core.certify(self.text, rules_of(self.settings)).strands
 
     def about(self, origin_mm: Point) -> npt.NDArray[np.float64]:
-        """Return the strands from another origin, mm."""
+        """Return the strands from another origin.
+
+        Parameters
+        ----------
+        origin_mm
+            Where its x = y = z = 0 lies in the machine's coordinates, (3,).
+
+        Returns
+        -------
+        ndarray
+            Both ends of each, (N, 2, 3), mm.
+        """
         import numpy as np
 
         moved: npt.NDArray[np.float64] = self.strands - np.array(origin_mm)
@@ -100,7 +124,20 @@ class Standing:
         return self.objects.count(b"\n")
 
     def place(self, line: int) -> tuple[str | None, int]:
-        """Return the name of the print that a line is of, and the line there; None: the new one."""
+        """Tell which print a line is of.
+
+        Parameters
+        ----------
+        line
+            Number of a line of all that stands and the new print behind it, from 1.
+
+        Returns
+        -------
+        name : str or None
+            Of the print; None: the new one.
+        line : int
+            The number there.
+        """
         line -= self.given
         for name, text in self.prints:
             count = whole_lines(text).count(b"\n")
@@ -118,6 +155,11 @@ class Standing:
             The print.
         origin_mm
             Where its x = y = z = 0 lies in the machine's coordinates, (3,).
+
+        Returns
+        -------
+        list of int
+            Those that lie along what stands, end to end.
         """
         return lying_along(frame, origin_mm, self.strands)
 
@@ -156,7 +198,10 @@ def stopped_text(text: bytes, at: Stopped, settings: Settings) -> bytes:
     if at.line is not None:
         if not 0 < at.line <= len(lines):
             raise SettingError(f"it has no line {at.line}; the last one is {len(lines)}")
-        return whole_lines(b"".join(lines[: at.line]))
+        # A head that was stopped stood there: what it had drawn out has set.
+        stood = FLAVORS[settings.printer.gcode.flavor].dwell
+        wait = stood.format(ms=math.ceil(1000 * settings.solidify_s)).encode()
+        return whole_lines(b"".join(lines[: at.line])) + wait
     core = _core.certify(text, rules_of(settings))
     above = core.strands[..., 2].max(axis=1) > (at.z_mm or 0.0) + SAME_MM
     if not above.any():
@@ -188,6 +233,20 @@ def read_prints(
     sources: Sequence[str | os.PathLike[str]], settings: Settings, stopped: Stopped | None = None
 ) -> tuple[tuple[str, bytes], ...]:
     """Read earlier prints; the last one was stopped, where that is told.
+
+    Parameters
+    ----------
+    sources
+        Files, in the order in which they were printed.
+    settings
+        What they are read by.
+    stopped
+        Where the last one was stopped; None: it ran to its end.
+
+    Returns
+    -------
+    tuple of (str, bytes)
+        Name and G-code of each, as far as it was carried out.
 
     Raises
     ------

@@ -46,7 +46,13 @@ class Budgeted:
         return next(one for one in self.front if one.chosen)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return everything as values that JSON knows."""
+        """Return everything as values that JSON knows.
+
+        Returns
+        -------
+        dict
+            The budget, what stiffness was told by, how many were tried, and the alternatives.
+        """
         return {
             **asdict(self.budget),
             "give_by": self.give_by,

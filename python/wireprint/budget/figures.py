@@ -30,7 +30,18 @@ class Budget:
                 raise SettingError(f"a budget's {name} is {value}; it must be positive")
 
     def excess(self, print_time_s: float, filament_g: float) -> float:
-        """Tell how many times over the budget a print is; at most 1 is within."""
+        """Tell how many times over the budget a print is.
+
+        Parameters
+        ----------
+        print_time_s, filament_g
+            What the print takes.
+
+        Returns
+        -------
+        float
+            At most 1 is within; 0 where nothing is limited.
+        """
         pairs = ((print_time_s, self.time_s), (filament_g, self.filament_g))
         return max((found / most for found, most in pairs if most is not None), default=0.0)
 
@@ -48,6 +59,7 @@ class Alternative:
     #: What of the settings it has otherwise, as ``--set`` takes it.
     overrides: tuple[str, ...]
     print_time_s: float
+    #: Filament that it takes, g.
     filament_g: float
     #: Mean distance of the strands from the surface, relaxed to chords, mm.
     deviation_mm: float
@@ -61,7 +73,18 @@ class Alternative:
     chosen: bool = False
 
     def beats(self, other: Alternative) -> bool:
-        """Whether it is at least as good in everything, and better in something."""
+        """Tell whether it is at least as good in everything, and better in something.
+
+        Parameters
+        ----------
+        other
+            Another print of the same model.
+
+        Returns
+        -------
+        bool
+            In time, deviation and give.
+        """
         mine, theirs = self._figures(), other._figures()
         return mine != theirs and all(a <= b for a, b in zip(mine, theirs, strict=True))
 

@@ -44,7 +44,9 @@ class Spliced:
     settings: Settings
     mesh: Mesh
     wireframe: Wireframe
+    #: The whole file.
     gcode: bytes
+    #: The verdict on it.
     certificate: Certificate
     print_time_s: float
     #: Heights at which wire was put in, mm, ascending.

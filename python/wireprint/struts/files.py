@@ -72,6 +72,11 @@ def struts_as(graph: Graph, suffix: str, radius_mm: float) -> bytes:
         One of `WRITTEN`.
     radius_mm
         Radius where the format needs one and the graph tells none.
+
+    Returns
+    -------
+    bytes
+        The file.
     """
     if suffix == "3mf":
         return beams.write_3mf(graph, radius_mm)

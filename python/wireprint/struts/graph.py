@@ -111,7 +111,13 @@ class Graph:
         return cls(nodes, pairs[kept], **rest)
 
     def tidied(self) -> Graph:
-        """Return it with near nodes welded, and each strut once: the first that is named."""
+        """Weld near nodes, and keep each strut once: the first that is named.
+
+        Returns
+        -------
+        Graph
+            In the same order.
+        """
         welded = Graph.of_segments(
             self.ends, radius_mm=self.radius_mm, time_s=self.time_s, normals=self.normals
         )
@@ -119,7 +125,20 @@ class Graph:
         return welded.chosen(np.sort(first))
 
     def chosen(self, numbers: npt.ArrayLike, reversed_: npt.ArrayLike | None = None) -> Graph:
-        """Return struts of these numbers in this order, some of them the other way round."""
+        """Choose struts in some order.
+
+        Parameters
+        ----------
+        numbers
+            Of the struts, in the order wanted.
+        reversed_
+            Which of these are turned round, bool; None: none.
+
+        Returns
+        -------
+        Graph
+            Of the same nodes; with radii, times and normals where they are told.
+        """
         which = np.asarray(numbers, np.int64)
         edges = self.edges[which]
         if reversed_ is not None:
@@ -133,12 +152,31 @@ class Graph:
         return Graph(self.nodes, edges, **known)
 
     def moved(self, by_mm: npt.ArrayLike, scale: float = 1.0) -> Graph:
-        """Return it scaled about the origin, then moved, mm."""
+        """Scale it about the origin, then move it.
+
+        Parameters
+        ----------
+        by_mm
+            Way, mm, (3,).
+        scale
+            Factor, of radii, too.
+
+        Returns
+        -------
+        Graph
+            With the same struts.
+        """
         nodes = self.nodes * scale + np.asarray(by_mm, np.float64)
         return Graph(nodes, self.edges, self.radius_mm * scale, self.time_s, self.normals)
 
     def degrees(self) -> Ints:
-        """Count the struts at each node, (N,)."""
+        """Count the struts at each node.
+
+        Returns
+        -------
+        ndarray
+            (N,) int64.
+        """
         return np.bincount(self.edges.ravel(), minlength=len(self.nodes))
 
 

@@ -31,6 +31,9 @@ _MOST_STEPS: Final = 20
 _NAMED: Final = 8
 #: Struts that are tested against each other; of more that would take minutes.
 MOST_STRUTS: Final = 20_000
+#: Other sizes that are tried of what cannot be printed, and of how many struts at most.
+_SIZES: Final = (0.9, 1.12, 0.8, 1.25, 0.7, 1.4, 0.6, 0.5)
+_MOST_RESIZED: Final = 500
 #: Reasons that a support may help against.
 _SUPPORTED: Final = ("floats", "from_above")
 _WHY: Final = {
@@ -58,6 +61,7 @@ class OrderedGraph:
     #: Supports that were added: numbers in `graph`.
     supports: tuple[int, ...]
     toolpath: Toolpath
+    #: The file.
     gcode: bytes
     #: The verdict on the file.
     certificate: Certificate
@@ -110,6 +114,16 @@ def order(
     """
     if len(graph) > MOST_STRUTS:
         raise UnprintableError(f"{len(graph)} struts; {MOST_STRUTS} are ordered at most")
+    try:
+        return _ordered(graph, settings, supports, date)
+    except UnprintableError as error:
+        said = f"{error}{_way_out(graph, settings, supports)}"
+    raise UnprintableError(said)
+
+
+def _ordered(
+    graph: Graph, settings: Settings, supports: bool, date: datetime | None = None
+) -> OrderedGraph:
     placed = _placed(graph, settings)
     shapes, found, left = _found(placed, settings)
     # What is supported may lead on to what is not yet: again, as long as it helps.
@@ -123,6 +137,7 @@ def order(
     if left:
         raise UnprintableError(_refusal(placed, left))
     form, reversed_, floating = (np.array(column) for column in zip(*found, strict=True))
+    floating.setflags(write=False)
     which = shapes.strut[form]
     ordered = placed.chosen(which, reversed_)
     loose = _loose(ordered, floating)
@@ -207,6 +222,22 @@ def _loose(graph: Graph, floating: Any) -> list[int]:
         for number, floats in enumerate(floating)
         if floats and degrees[graph.edges[number, 1]] == 1
     ]
+
+
+def _way_out(graph: Graph, settings: Settings, supports: bool) -> str:
+    """Return the words for a size near its own in which all of it is printed; empty: none is found.
+
+    Smaller, less hangs; larger, a tip of the same size gets in between more.
+    """
+    if len(graph) > _MOST_RESIZED:
+        return ""
+    for factor in _SIZES:
+        try:
+            _ordered(graph.moved((0.0, 0.0, 0.0), factor), settings, supports)
+        except UnprintableError:
+            continue
+        return f"\n{factor:g} times as large, all of it can be printed: --scale, times {factor:g}"
+    return ""
 
 
 def _refusal(graph: Graph, left: list[tuple[int, str]]) -> str:
