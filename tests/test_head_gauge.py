@@ -7,7 +7,7 @@ import pytest
 
 import wireprint
 from command import run
-from wireprint import SettingError, catalogue
+from wireprint import SettingError, catalogue, cli
 from wireprint.heads import drawing, profile
 from wireprint.heads.gauge import Gauge, answered
 from wireprint.heads.gauge_path import DIRECTIONS
@@ -281,3 +281,24 @@ def test_a_carriage_grows_with_what_it_must_hold():
     _, figures = measured(Settings.load(), {"block_radius_mm": 50.0})
     assert figures["carriage_radius_mm"] >= 50
     assert profile.new("kossel-mini", "mine", figures, "measured").count("# measured") == 2
+
+
+def test_an_answer_that_no_head_can_have_is_asked_for_again(tmp_path, monkeypatch):
+    answers = iter(["abc", "-1", "0.3", "nan", "1,1", "95", "31", "", "25"])
+    monkeypatch.setattr("click.termui.visible_prompt_func", lambda _: next(answers))
+    monkeypatch.setattr("sys.stdin", type("Terminal", (), {"isatty": lambda _: True})())
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    target = tmp_path / "mine.toml"
+    cli.main(
+        ["profiles", "head", "--printer", "prusa-mk4s", "-o", str(target)], standalone_mode=False
+    )
+    head = Settings.load(str(target)).printer.head
+    assert (head.tip_radius_mm, head.slant_deg, head.block_radius_mm) == (0.55, 31, 25)
+    assert head.cone_height_mm == Settings.load("prusa-mk4s").printer.head.cone_height_mm
+
+
+@pytest.mark.parametrize("option", ["--tip-mm=-1", "--flank-deg=95", "--tip-mm=nan"])
+def test_an_option_that_no_head_can_have_is_named_by_its_letter(option):
+    result = run("profiles", "head", "--printer", "prusa-mk4s", option)
+    assert result.exit_code == 4
+    assert "but must lie within" in result.stderr

@@ -18,8 +18,8 @@ Length = Annotated[float, Field(ge=1e-4, le=5000, description="mm")]
 
 
 def bounds_of(kind: Any) -> tuple[float, float]:
-    """Return the least and the most that a kind of figure can be."""
-    about = get_args(kind)[1].metadata
+    """Return the least and the most that a kind of figure, or the field of one, can be."""
+    about = getattr(kind, "metadata", None) or get_args(kind)[1].metadata
     least = next(one.ge for one in about if hasattr(one, "ge"))
     most = next(one.le for one in about if hasattr(one, "le"))
     return float(least), float(most)

@@ -17,7 +17,8 @@ from wireprint.cli.say import say_all
 from wireprint.streams import STREAM
 
 if TYPE_CHECKING:
-    from wireprint.settings import Settings
+    from wireprint.heads.measures import Measure
+    from wireprint.settings import Head, Settings
 
 
 @click.command("head")
@@ -79,10 +80,9 @@ def measure(
     for one in MEASURES:
         value = given[one.letter]
         if value is None and asks:
-            now = one.of(before.printer.head)
-            value = click.prompt(f" {one.letter}, {one.unit}", default=now, type=float)
+            value = _asked(one, before.printer.head)
         if value is not None:
-            figures[one.key] = round(value * one.factor, 4)
+            figures[one.key] = round(one.within(value, before.printer.head) * one.factor, 4)
     after, figures = measured(before, figures)
     _tell(figures, after, before, err=err)
     if output is not None:
@@ -90,10 +90,28 @@ def measure(
         say_all([f"{output}: written; --printer {output} prints with it"], err=err)
 
 
+def _asked(one: Measure, head: Head) -> float:
+    """Ask for a measure until it is one that a head can have."""
+
+    def read(text: str) -> float:
+        try:
+            # With a point, or a comma as most of Europe writes it.
+            value = float(text.replace(",", "."))
+        except ValueError:
+            raise click.UsageError(f"{text!r} is no number") from None
+        try:
+            return one.within(value, head)
+        except SettingError as error:
+            raise click.UsageError(str(error)) from None
+
+    now = f"{one.of(head):g}"
+    return float(click.prompt(f" {one.letter}, {one.unit}", default=now, value_proc=read))
+
+
 def _tell(figures: dict[str, float], after: Settings, before: Settings, *, err: bool) -> None:
     from wireprint.heads.measures import meaning
 
-    shown = [f"{key:16}= {value:g}" for key, value in figures.items()]
+    shown = [f"{key:18} = {value:g}" for key, value in figures.items()]
     say_all(["", "[head]", *shown, "", *meaning(after, before)], err=err)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from wireprint import _core
 from wireprint._core import SettingError
+from wireprint.bounds import bounds_of
 from wireprint.rules import faults_of
 
 if TYPE_CHECKING:
@@ -32,6 +33,24 @@ class Measure:
     def of(self, head: Head) -> float:
         """Return what would be measured at a head."""
         return float(getattr(head, self.key)) / self.factor
+
+    def within(self, value: float, head: Head) -> float:
+        """Return a measure that a head can have.
+
+        Raises
+        ------
+        SettingError
+            None can; it says what could be.
+        """
+        bounds = bounds_of(type(head).model_fields[self.key])
+        least, most = (bound / self.factor for bound in bounds)
+        if self.key == "tip_radius_mm":
+            # Its rim is around the opening.
+            least = max(least, head.nozzle_mm)
+        if not least <= value <= most:
+            msg = f"{self.letter} is {value:g} {self.unit}, but must lie within {least:g}–{most:g}"
+            raise SettingError(msg)
+        return value
 
 
 #: In the order in which they are asked, each under its letter in the drawing.
