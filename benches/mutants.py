@@ -80,11 +80,22 @@ def built(folder, target):
     return errors
 
 
-def caught(tests, number, folder, seconds):
-    """Name of the first test binary that fails with a breakage; None where all pass."""
+def own_module(mutant):
+    """Path of the module that is broken, as its tests are named."""
+    path = Path(mutant["file"]).relative_to("rust/core/src").with_suffix("")
+    return "::".join(part for part in path.parts if part != "mod") + "::"
+
+
+def caught(tests, number, folder, seconds, first=()):
+    """Name of the first test binary that fails with a breakage; None where all pass.
+
+    The library's tests in the modules `first` come before all others, which take longer.
+    """
     environment = os.environ | {CHOSEN: str(number)}
-    for name in TESTS:
-        command = [tests[name], "--quiet", *(HEART if name == "lib" else [])]
+    runs = [("lib", first)] if first else []
+    runs += [(name, HEART if name == "lib" else ()) for name in TESTS]
+    for name, modules in runs:
+        command = [tests[name], "--quiet", *modules]
         try:
             done = subprocess.run(
                 command,
@@ -126,7 +137,7 @@ def main():
         sys.exit(f"{failed} fails with nothing broken")
     alive = []
     for number, mutant in mutants.items():
-        by = caught(tests, number, tree, options.seconds)
+        by = caught(tests, number, tree, options.seconds, [own_module(mutant)])
         print(f"{by or 'ALIVE':>18}  {mutant['name']}", flush=True)
         alive += [] if by else [mutant["name"]]
     tried = len(mutants)

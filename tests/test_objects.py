@@ -100,9 +100,9 @@ def test_each_says_what_it_is_in_one_short_line(objects):
     for name, one in objects.items():
         if name.partition(".")[0] == "wireprint" and "hybrid" not in name:
             assert "\n" not in repr(one), name
-    for name in ("pipeline.WirePrint", "_core.Mesh", "_core.Wireframe", "_core.Toolpath"):
+    for name in ("wire_print.WirePrint", "_core.Mesh", "_core.Wireframe", "_core.Toolpath"):
         assert len(repr(objects[f"wireprint.{name}"])) < 120
-    assert "certified" in repr(objects["wireprint.pipeline.WirePrint"])
+    assert "certified" in repr(objects["wireprint.wire_print.WirePrint"])
     assert repr(objects["wireprint.settings.Settings"]) == "<Settings kossel-mini with abs>"
 
 

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from wireprint.mesh import load_mesh
     from wireprint.model import Model, load_model
     from wireprint.orientation import Orientation, orient
-    from wireprint.pipeline import WirePrint, make, to_gcode, write_gcode
+    from wireprint.pipeline import make, to_gcode, write_gcode
     from wireprint.project import write_project
     from wireprint.regions import Region
     from wireprint.settings import Settings
@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from wireprint.timing import estimate
     from wireprint.wholeness import IncompleteError
     from wireprint.window.opening import studio
+    from wireprint.wire_print import WirePrint
 
 __all__ = [
     "KINDS",
@@ -103,7 +104,7 @@ _HOMES = {
     "Model": "wireprint.model",
     "Region": "wireprint.regions",
     "Settings": "wireprint.settings",
-    "WirePrint": "wireprint.pipeline",
+    "WirePrint": "wireprint.wire_print",
     "as_mesh": "wireprint.inputs",
     "check": "wireprint.certificate",
     "compare": "wireprint.comparison",

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from wireprint._core import Mesh, Toolpath, WireprintError
-    from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
+    from wireprint.wire_print import WirePrint
 
 
 @dataclass(frozen=True, slots=True)

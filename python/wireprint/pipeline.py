@@ -2,190 +2,37 @@
 
 from __future__ import annotations
 
-import time
-from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wireprint import report
 from wireprint._core import Mesh, SettingError, UnprintableError
 from wireprint.certificate import check
+from wireprint.clock import Clock
 from wireprint.files import written_whole
 from wireprint.fitting import fitted, placed
 from wireprint.gcode import document, file
-from wireprint.slimness import strand_of
 from wireprint.stages import origin_mm, toolpath, wireframe
-from wireprint.timing import Filament
 from wireprint.wholeness import is_whole, refusal
+from wireprint.wire_print import WirePrint
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Iterable, Iterator
+    from collections.abc import Callable, Iterable
     from datetime import datetime
 
-    from wireprint._core import Estimate, Toolpath, Wireframe
+    from wireprint._core import Toolpath, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.gcode.document import Thumbnail
     from wireprint.gcode.file import Written
-    from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.sketch import Sketch
     from wireprint.inputs import ModelLike
-    from wireprint.orientation import Orientation
     from wireprint.regions import Region
     from wireprint.remedies import Remedy
     from wireprint.settings import Settings
     from wireprint.standing import Standing
     from wireprint.verdict import Point
-    from wireprint.weakness import Weak
-
-
-@dataclass
-class Clock:
-    """Time that each stage takes to compute."""
-
-    on_stage: Callable[[str], None] | None = None
-    #: Called with the steps of long stages, too; like `on_stage` it may raise to give up.
-    on_step: Callable[[str], None] | None = None
-    timings_s: dict[str, float] = field(default_factory=dict)
-
-    def step(self, name: str) -> None:
-        """Announce a step of a stage."""
-        if self.on_step is not None:
-            self.on_step(name)
-
-    @contextmanager
-    def stage(self, name: str) -> Iterator[None]:
-        """Announce a stage and measure it, s."""
-        if self.on_stage is not None:
-            self.on_stage(name)
-        begin = time.perf_counter()
-        yield
-        self.timings_s[name] = time.perf_counter() - begin
-
-
-@dataclass(frozen=True, repr=False)
-class WirePrint:
-    """A model with everything that was made from it."""
-
-    settings: Settings
-    #: The model as it stands on the bed.
-    mesh: Mesh
-    wireframe: Wireframe
-    toolpath: Toolpath
-    #: What of it is layers; None where nothing was marked.
-    regions: Proved | None
-    #: The whole file.
-    gcode: bytes
-    estimate: Estimate
-    #: The verdict on the file; None where it was not asked for.
-    certificate: Certificate | None
-    #: Seconds per stage.
-    timings_s: dict[str, float]
-    #: How the model was turned, where that was left to us.
-    orientation: Orientation | None = None
-    #: By how much it was turned about z to fit the bed, degrees.
-    turn_to_fit_deg: float = 0.0
-    #: Where it gives way too easily while it grows; None where that was not asked for, or is too
-    #: much work to find out.
-    weak: tuple[Weak, ...] | None = None
-    #: The wire print without marks, before strands that break the rules were left out of it: what
-    #: broke them may well be layers once something is marked. None: `wireframe`.
-    planned: Wireframe | None = None
-
-    @property
-    def sketch(self) -> Sketch:
-        """What marks do not change, to be kept for the next print."""
-        if self.regions is not None:
-            return self.regions.plan.sketch
-        return _sketch(self.mesh, self.planned or self.wireframe, self.settings)
-
-    def figures(self) -> dict[str, Any]:
-        """Tell what people want to know, under the keys of ``wireprint slice --json``.
-
-        Returns
-        -------
-        dict
-            Values that JSON knows.
-        """
-        moves = self.toolpath.figures()
-        filament, filament_mm = Filament.of(self.settings), self.estimate.filament_mm
-        return {
-            "size_mm": self.mesh.size_mm,
-            "orientation": None if self.orientation is None else self.orientation.to_dict(),
-            "turn_to_fit_deg": self.turn_to_fit_deg,
-            "slices": self.wireframe.slice_count,
-            "posts": self.wireframe.post_count,
-            "strand_mm": moves["strand_mm"],
-            "travel_mm": moves["travel_mm"],
-            "strand": strand_of(self.settings),
-            "brim_rings": self.toolpath.brim_rings,
-            "pauses": moves["pauses"],
-            "pause_s": moves["pause_s"],
-            "filament_mm": filament_mm,
-            "filament_g": filament.grams(filament_mm),
-            "filament_cost": filament.cost(filament_mm),
-            "print_time_s": self.estimate.total_s,
-            **self._verdict(),
-            "repaired": report.repairs(self.mesh),
-            "unprinted": self.unprinted(),
-            "weak": None if self.weak is None else [asdict(place) for place in self.weak],
-            "regions": None if self.regions is None else report.regions(self.regions),
-            "warnings": [*report.warnings(self.mesh), *report.slowed(self.settings)],
-            "timings_s": self.timings_s,
-        }
-
-    def unprinted(self) -> list[report.Unprinted]:
-        """List what is not printed: what the certificate finds bare, and what planning left out.
-
-        Returns
-        -------
-        list of Unprinted
-            Parts, the largest first.
-        """
-        fidelity = None if self.certificate is None else self.certificate.fidelity
-        return report.unprinted(self.wireframe.unprinted, fidelity, self.settings)
-
-    def _told(self) -> str:
-        """Say time, filament and verdict."""
-        from wireprint.notebook import told
-
-        figures = {
-            "print_time_s": self.estimate.total_s,
-            "filament_g": Filament.of(self.settings).grams(self.estimate.filament_mm),
-        }
-        return told(figures | self._verdict())
-
-    def __repr__(self) -> str:
-        """Say what it comes to; the parts are attributes."""
-        return f"<WirePrint {self.settings.printer.name}: {self._told()}>"
-
-    def _repr_png_(self) -> bytes:
-        """Draw the picture that a notebook shows."""
-        from wireprint.notebook import picture
-
-        return picture(self)
-
-    def _repr_html_(self) -> str:
-        """Draw it, and say time, filament and verdict below."""
-        from wireprint.notebook import page
-
-        return page(self, self._told())
-
-    def _verdict(self) -> dict[str, Any]:
-        """Return whether the file keeps the rules, and how faithful it is."""
-        certificate = self.certificate
-        if certificate is None:
-            return {}
-        breaches = {name: len(found) for name, found in certificate.breaches().items()}
-        verdict: dict[str, Any] = {"certified": certificate.ok, "breaches": breaches}
-        if certificate.fidelity is not None:
-            verdict["whole"] = is_whole(certificate, self.settings)
-            verdict["coverage"] = certificate.fidelity.coverage
-            if certificate.fidelity.deviation_mm is not None:
-                verdict["deviation_mm"] = certificate.fidelity.deviation_mm
-                verdict["chord_deviation_mm"] = certificate.fidelity.chord_deviation_mm
-        return verdict
 
 
 def make(
@@ -304,11 +151,12 @@ def make(
     if region:
         from wireprint.hybrid.motion import motion
         from wireprint.hybrid.prove import proved
+        from wireprint.hybrid.sketch import Sketch
 
         with clock.stage("regions"):
             x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
             moved = region.transformed(motion(given, body, (x, y, z + place.turn_deg)))
-            sketch = kept or _sketch(body, planned, settings)
+            sketch = kept or Sketch(body, planned, settings)
             regions = proved(sketch, moved, clock.step, write=written)
             strands = regions.wireframe
     if not strands.strand_count:
@@ -407,12 +255,6 @@ def _onto(mesh: Mesh, settings: Settings, standing: Standing, at_mm: Point) -> W
     if len(done) == plain.strand_count:
         raise UnprintableError("all of it stands already: there is nothing left to print")
     return plain.beyond(done)
-
-
-def _sketch(mesh: Mesh, plain: Wireframe, settings: Settings) -> Sketch:
-    from wireprint.hybrid.sketch import Sketch
-
-    return Sketch(mesh, plain, settings)
 
 
 def to_gcode(

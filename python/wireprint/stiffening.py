@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
     from wireprint._core import Mesh
     from wireprint.forecast import Forecast
-    from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
+    from wireprint.wire_print import WirePrint
 
 #: Heights of slabs that are tried throughout, as shares of the greatest, and in a part of them.
 _LOWER: Final = (0.75, 0.5, 0.35)

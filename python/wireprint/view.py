@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from wireprint.certificate import Certificate
     from wireprint.inputs import ModelLike
     from wireprint.model import Model
-    from wireprint.pipeline import WirePrint
     from wireprint.settings import Settings
+    from wireprint.wire_print import WirePrint
 
 #: What can be shown: a file, G-code as bytes, or what is in memory already.
 Source: TypeAlias = "ModelLike | bytes | WirePrint | Certificate | Strands"

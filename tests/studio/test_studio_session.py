@@ -198,8 +198,9 @@ def test_a_project_from_the_window_is_sliced_to_the_same_print(talk, tmp_path):
 
 
 def test_a_print_is_given_up_between_the_steps_of_its_regions(cube):
+    from wireprint.clock import Clock
     from wireprint.mesh import load_mesh
-    from wireprint.pipeline import Clock, make
+    from wireprint.pipeline import make
     from wireprint.regions import Region, ZRange
     from wireprint.settings import Settings
 

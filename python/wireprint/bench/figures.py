@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from wireprint._core import Mesh
     from wireprint.bench.task import Row
     from wireprint.model import Model
-    from wireprint.pipeline import WirePrint
     from wireprint.settings import Settings
+    from wireprint.wire_print import WirePrint
 
 
 def certificate(model: Model, settings: Settings, row: Row) -> None:

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from wireprint._core import Mesh
-    from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
+    from wireprint.wire_print import WirePrint
 
 __all__ = ["Alternative", "Budget", "BudgetError", "Budgeted", "within"]
 

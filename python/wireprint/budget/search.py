@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from wireprint._core import Mesh
-    from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
+    from wireprint.wire_print import WirePrint
 
 #: Rungs of the ladder of slab heights, from the lowest slab to what the cone allows.
 RUNGS: Final = 7

@@ -16,13 +16,14 @@ if TYPE_CHECKING:
     from wireprint.cli.onto import Onto
     from wireprint.cli.options import Chosen
     from wireprint.cli.progress import Progress
+    from wireprint.clock import Clock
     from wireprint.files import Output
     from wireprint.forecast import Forecast
     from wireprint.hosts import Host
-    from wireprint.pipeline import Clock, WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
     from wireprint.stiffening import Stiffened
+    from wireprint.wire_print import WirePrint
 
 
 @dataclass(frozen=True)
@@ -88,8 +89,9 @@ class Job:
 
     def run(self, model: Path, progress: Progress) -> Sliced:
         """Turn one model into G-code."""
+        from wireprint.clock import Clock
         from wireprint.gcode.document import dated
-        from wireprint.pipeline import Clock, make
+        from wireprint.pipeline import make
         from wireprint.report import breaches, led_out, units_meant
         from wireprint.wholeness import IncompleteError, is_whole, shortfall
 

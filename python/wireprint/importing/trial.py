@@ -13,8 +13,8 @@ from wireprint.text import one_line
 
 if TYPE_CHECKING:
     from wireprint.importing import Imported
-    from wireprint.pipeline import WirePrint
     from wireprint.settings import Settings
+    from wireprint.wire_print import WirePrint
 
 #: Lines of its sequences that are left out at most, one after the other; of longer ones, and of
 #: those that cannot be judged so either, what heats, homes and levels is kept.

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
     from wireprint._core import Mesh
     from wireprint.certificate import Certificate
-    from wireprint.pipeline import WirePrint
     from wireprint.view_texels import Floats, Integers
+    from wireprint.wire_print import WirePrint
 
     Arrays = dict[str, npt.NDArray[Any]]
 

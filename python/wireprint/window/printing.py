@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from wireprint import report
-from wireprint.pipeline import Clock, make
+from wireprint.clock import Clock
+from wireprint.pipeline import make
 from wireprint.wholeness import is_whole, shortfall
 from wireprint.window.answer import encoded
 from wireprint.window.drawing import drawn, hanging
@@ -20,9 +21,9 @@ if TYPE_CHECKING:
     from wireprint._core import Mesh
     from wireprint.certificate import Certificate
     from wireprint.hybrid.sketch import Sketch
-    from wireprint.pipeline import WirePrint
     from wireprint.regions import Region
     from wireprint.settings import Settings
+    from wireprint.wire_print import WirePrint
 
 #: Figures of a print that the page does not show.
 _UNSHOWN = ("orientation", "size_mm", "repaired", "regions", "timings_s")

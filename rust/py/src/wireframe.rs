@@ -288,7 +288,7 @@ impl Wireframe {
     /// ----------
     /// parts
     ///     Both ends of each segment, float64 (M, 2, 3), mm.
-    /// `within_mm`
+    /// within_mm
     ///     How far off the strand both ends may lie, mm.
     ///
     /// Raises

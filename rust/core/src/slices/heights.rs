@@ -102,8 +102,7 @@ fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec
             out.extend((1..parts).map(|i| pair[0] + gap * i as f64 / parts as f64));
         };
         divide((gap / step).ceil() as usize);
-        let low =
-            p.low_slabs.map(|low| low.most(pair[0], pair[1])).filter(|most| *most < p.slab_max);
+        let low = p.low_slabs.map(|low| low.most(pair[0], pair[1]).min(p.slab_max));
         for most in std::iter::once(p.slab_max).chain(low) {
             let fewest = (gap / most).ceil() as usize;
             divide(fewest);

@@ -52,3 +52,6 @@ pub fn hang(
 pub fn want_columns(cx: &Context, journal: &mut Journal, curve: &Curve, level: usize) {
     journal.want_columns(needs(curve, 0.0, &[], level, 0.0, cx.p.span_limit));
 }
+
+#[cfg(test)]
+mod tests;

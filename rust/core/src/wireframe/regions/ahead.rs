@@ -102,6 +102,8 @@ fn parts(line: &Line) -> impl Iterator<Item = [DVec3; 2]> + '_ {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::head::{Part, Shape};
+    use crate::solids::Random;
 
     #[test]
     fn a_post_keeps_clear_of_a_line_that_is_still_to_come() {
@@ -118,6 +120,47 @@ mod tests {
         assert!(ahead.is_barred_by(&head, from, to, 0.0));
         let (from, to) = post(reach + 0.1);
         assert!(!ahead.is_barred_by(&head, from, to, 0.0));
+    }
+
+    /// Against every move by itself, whatever its cell: of heads with a fan to one side, too.
+    #[test]
+    fn a_strand_is_barred_where_any_move_to_come_drives_any_part_of_the_head_into_it() {
+        let (mut random, mut barred, mut by_parts) = (Random(44), 0, 0);
+        let round = Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap();
+        let fan =
+            Shape::Box { x_mm: [18.0, 30.0], y_mm: [-6.0, 6.0], bottom_mm: 2.0, turn_deg: 20.0 };
+        let probe = Shape::Cylinder { centre_mm: [-25.0, 4.0], radius_mm: 3.0, bottom_mm: 1.0 };
+        let parts = [fan, probe].map(|shape| Part::try_from(shape).unwrap()).to_vec();
+        let head = round.clone().with_parts(parts);
+        for _ in 0..1500 {
+            let mut at = |height: f64| {
+                let [x, y] = [0, 1].map(|_| random.between(0.0, 60.0));
+                DVec3::new(x, y, height)
+            };
+            let lines: Vec<Line> = (0..2)
+                .map(|i| {
+                    let z = 0.2 + 0.2 * f64::from(i);
+                    Line { points: vec![at(z), at(z)], flow: 1.0, inside: false }
+                })
+                .collect();
+            let (from, to) = (at(0.4), at(4.0));
+            // Short: a post, or a stroke that leans.
+            let to = from + (to - from).clamp_length_max(6.0);
+            let tolerance = random.between(0.0, 0.5);
+            let ahead = Ahead::new(&lines, DVec2::ZERO, DVec2::splat(60.0));
+            let [whole, alone] = [&head, &round].map(|head| {
+                let hits = |line: &Line| {
+                    let tip = [line.points[0], line.points[1]];
+                    head.deeper_than(tolerance, tip, [from, to]).is_some()
+                };
+                let wanted = lines.iter().any(hits);
+                assert_eq!(ahead.is_barred_by(head, from, to, tolerance), wanted);
+                wanted
+            });
+            barred += usize::from(whole);
+            by_parts += usize::from(whole && !alone);
+        }
+        assert!(by_parts > 20 && barred > by_parts && barred < 1400, "{barred} {by_parts}");
     }
 
     #[test]

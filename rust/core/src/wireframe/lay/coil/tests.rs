@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use super::*;
+use crate::contours::Contour;
 use crate::geometry::curve::segment_distance;
 use crate::solids::Random;
-use crate::wireframe::lay::scene::{curve, square};
+use crate::wireframe::lay::scene::{Scene, closed, curve, rim, square};
 
 /// Nearer to a corner than this its turn does not come, in strands.
 const NEAR: f64 = 0.25;
@@ -65,4 +66,66 @@ fn a_turn_has_a_corner_at_each_of_the_contour_s_and_none_nearer_to_it() {
             );
         }
     }
+}
+
+/// A ring's number, and how many strands are laid on it before the head goes on to another.
+type Stay = (usize, usize);
+
+/// The stays through a group of two rings, so far apart, and what stands at the top.
+fn laid(gap: f64) -> (Vec<Stay>, Vec<(usize, Rim)>) {
+    let (radius, height) = (2.5, 5.0);
+    let ring = |side: f64| {
+        let shift = DVec2::X * side * (radius + 0.5 * gap);
+        closed(circle(radius).points()[..180].iter().map(|p| p + shift).collect())
+    };
+    let contours: [Contour; 2] = [ring(-1.0), ring(1.0)];
+    let scene = Scene::slab(height, &contours);
+    let rims = contours.iter().map(|contour| Some(rim(contour, 0.35))).collect();
+    let ground = Ground { rims, lines: Vec::new() };
+    let jobs = [0, 1].map(|i| Job { curve: i, carriers: vec![i], strip: i });
+    scene.ask(|cx, journal| {
+        let group = Group { jobs: vec![0, 1], gap };
+        let found = coil(cx, journal, cx.tops.get(0), &jobs, &ground, &group);
+        let mut stays: Vec<Stay> = Vec::new();
+        for strand in &journal.entries().strands {
+            let ring = usize::from(strand.from.x + strand.to.x > 0.0);
+            match stays.last_mut() {
+                Some(last) if last.0 == ring => last.1 += 1,
+                _ => stays.push((ring, 1)),
+            }
+        }
+        (stays, found)
+    })
+}
+
+#[test]
+fn a_group_rises_lift_by_lift_back_and_forth_through_its_rings() {
+    let (stays, found) = laid(2.5);
+    assert!(stays.len() >= 4, "{stays:?}");
+    assert!(stays.windows(2).all(|pair| pair[0].0 != pair[1].0));
+    // Where a lift ends the next begins: but for the first and the last, stays are of two lifts.
+    let lift = stays[0].1;
+    let inner = &stays[1..stays.len() - 2];
+    assert!(inner.iter().all(|stay| stay.1 == 2 * lift), "{stays:?}");
+    let [one, other] =
+        [0, 1].map(|ring| stays.iter().filter(|s| s.0 == ring).map(|s| s.1).sum::<usize>());
+    assert_eq!(one, other);
+    // Both stand at the slab's top, as closed rims that bear posts anywhere.
+    let mut numbers: Vec<usize> = found.iter().map(|(number, _)| *number).collect();
+    numbers.sort_unstable();
+    assert_eq!(numbers, [0, 1]);
+    for (number, rim) in &found {
+        assert!(rim.closed && rim.printed && rim.held && !rim.support);
+        assert!(rim.points.iter().all(|p| (p.z - 5.35).abs() < 1e-9));
+        let side = if *number == 0 { -1.0 } else { 1.0 };
+        assert!(rim.points.iter().all(|p| p.x * side > 0.0));
+    }
+}
+
+#[test]
+fn rings_far_from_each_other_rise_at_once_and_too_near_ones_not_at_all() {
+    let (stays, found) = laid(40.0);
+    assert_eq!((stays.len(), found.len()), (2, 2));
+    let (stays, found) = laid(0.1);
+    assert!(stays.is_empty() && found.is_empty());
 }

@@ -49,6 +49,8 @@ fn a_wall_is_laced_from_peak_to_peak_from_the_end_where_the_head_is() {
     assert_eq!(laced(&wall(), all.clone(), all[0], 2), (strokes.clone(), 0));
     let back: Vec<[DVec3; 2]> = strokes.iter().rev().map(|&[from, to]| [to, from]).collect();
     assert_eq!(laced(&wall(), all.clone(), all[4], 2), (back, 0));
+    // As far from both, the head goes as the weave did.
+    assert_eq!(laced(&wall(), all, DVec3::new(0.0, 25.0, TOP), 2), (strokes, 0));
 }
 
 #[test]

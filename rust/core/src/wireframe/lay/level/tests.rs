@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use super::*;
+use crate::contours::Contour;
 use crate::wireframe::lay::scene::{Scene, curve, rim, square};
+use crate::wireframe::regions::layered::{LayeredSlab, Stretch};
 
 #[test]
 fn what_lies_on_something_lies_two_fifths_of_a_strand_higher() {
@@ -90,4 +92,92 @@ fn what_lies_no_higher_than_a_strand_over_the_bed_is_pressed_onto_it_and_the_res
         let (caps, contours, held) = risen(level, number).unwrap();
         assert!(caps > 4 && contours >= 4 && !held, "{level} {number}: {caps} {contours}");
     }
+}
+
+/// Whether a ring of 10 mm far within one of 90 mm stands on a level, and how many columns are asked for;
+/// with the ring below printed or not.
+fn far_within(printed: bool, is_wanted: bool) -> (bool, usize) {
+    let (wide, narrow) = (square(90.0), square(10.0));
+    let mut scene = Scene::slab(5.0, &[]);
+    scene.sliced.lower[1] = vec![wide.clone()];
+    let (below, contours) = ([wide.clone()], [narrow.clone()]);
+    let step = LevelStep { level: 1, number: 0, below: &below, contours: &contours, ledges: &[] };
+    let ledge = Strip { lower: vec![0], upper: vec![0], plan: 9000.0, ..Strip::default() };
+    scene.ask(|cx, journal| {
+        let rims = vec![printed.then(|| rim(&wide, height(cx, &step)))];
+        let mut printed = Ground { rims, lines: Vec::new() };
+        let carried = Carried { lines: Vec::new(), is_wanted };
+        let own = (0, &curve(&narrow));
+        let found = rise(cx, journal, &step, &ledge, own, &carried, &mut printed);
+        (found.is_some(), journal.entries().columns.len())
+    })
+}
+
+#[test]
+fn what_nothing_near_holds_asks_for_columns_unless_what_it_lies_on_does() {
+    let (stands, columns) = far_within(true, false);
+    assert!(!stands && columns > 0);
+    // Bridges ask already, or nothing below is printed: that asks for its own.
+    assert_eq!(far_within(true, true), (false, 0));
+    assert_eq!(far_within(false, false), (false, 0));
+}
+
+/// A ring that begins in mid air on a level, far from all: whether it is named as left out, and how many rims
+/// stand there; the model's or a column's.
+fn born_alone(support: bool, supports: bool) -> (usize, usize) {
+    let contours = [Contour { support, ..square(10.0) }];
+    let mut scene = Scene::slab(5.0, &[]);
+    scene.printer.wire.supports = supports;
+    let ledges = [Strip { upper: vec![0], plan: -400.0, area: 400.0, ..Strip::default() }];
+    let step = LevelStep { level: 1, number: 0, below: &[], contours: &contours, ledges: &ledges };
+    scene.ask(|cx, journal| {
+        let ground = on_top(cx, journal, &step, Ground::default());
+        let unprinted = &journal.entries().unprinted;
+        assert!(unprinted.iter().all(|u| (u.area, u.reason) == (400.0, Reason::MidAir)));
+        (unprinted.len(), ground.rims.iter().flatten().count())
+    })
+}
+
+#[test]
+fn what_nothing_holds_is_named_unless_it_is_a_column() {
+    for supports in [false, true] {
+        assert_eq!(born_alone(false, supports), (1, 0));
+        assert_eq!(born_alone(true, supports), (0, 0));
+    }
+}
+
+/// Whether a ring of 10 mm, on one of 20 mm that ends the slab below, needs no strand of its own where so much
+/// of that slab is layers.
+fn is_layers_already(layers: LayeredSlab, number: usize) -> bool {
+    let narrow = square(10.0);
+    let mut scene = Scene::slab(5.0, &[square(20.0)]);
+    scene.layered.slabs = vec![layers];
+    let (below, contours) = ([square(20.0)], [narrow.clone()]);
+    let step = LevelStep { level: 1, number, below: &below, contours: &contours, ledges: &[] };
+    let ledge = Strip { lower: vec![0], upper: vec![0], plan: 1200.0, ..Strip::default() };
+    scene.ask(|cx, journal| {
+        let own = rim(&below[0], height(cx, &step));
+        let mut printed = Ground { rims: vec![Some(own)], lines: Vec::new() };
+        let own = (0, &curve(&narrow));
+        rise(cx, journal, &step, &ledge, own, &Carried::default(), &mut printed);
+        journal.entries().strands.is_empty()
+    })
+}
+
+#[test]
+fn what_lies_on_layers_is_layers_already() {
+    let whole = || LayeredSlab { strips: vec![0], ..LayeredSlab::default() };
+    // All around what it lies on are layers, and it lies within that …
+    assert!(is_layers_already(whole(), 0));
+    // … which is told of the slice that ends the slab alone.
+    assert!(!is_layers_already(whole(), 1));
+    // In part there are, and a lid closes the rest.
+    let part = || LayeredSlab {
+        stretches: vec![Stretch { contour: 0, from: 0.0, length: 40.0 }],
+        lids: vec![square(11.0).points],
+        ..LayeredSlab::default()
+    };
+    assert!(is_layers_already(part(), 0));
+    assert!(is_layers_already(part(), 1));
+    assert!(!is_layers_already(LayeredSlab::default(), 0));
 }

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::*;
 use crate::wireframe::lay::scene::{Scene, curve, rim, square};
+use crate::wireframe::place::guide::Guide;
 use crate::wireframe::plan::columns::Need;
 
 const Z: f64 = 5.35;
@@ -142,4 +143,27 @@ fn without_a_plain_print_to_go_by_any_wide_gap_is_tied() {
         assert_eq!(tie_over(cx, journal, cx.tops.get(0), &own, false), wide_gap(cx));
         assert!(!was_tied(cx, journal, &own, Z));
     });
+}
+
+#[test]
+fn beside_layers_only_loose_gaps_are_tied_where_the_plain_print_does_without() {
+    let own = curve(&square(50.0));
+    let scene = Scene::slab(5.0, &[square(50.0)]);
+    let place = own.position(9.0).extend(Z);
+    let post = Post { base: place - DVec3::X * 6.0, peak: place, s: 9.0 };
+    // A plain print that has spokes in this slab, on this contour or elsewhere.
+    for (height, tied) in [(Z, true), (Z + 9.0, false)] {
+        let posts = vec![Post { peak: place.with_z(height), ..post }];
+        scene.ask(|cx, journal| {
+            let key = spokes_key(journal, TIE);
+            let guide = Guide::new(&[], vec![Spokes { key, posts: posts.clone() }]);
+            let cx = &Context { guide: &guide, ..*cx };
+            let top = cx.tops.get(0);
+            assert_eq!(was_tied(cx, journal, &own, Z), tied);
+            let (loose, woven) = (loose_gap(cx, top, false), loose_gap(cx, top, true));
+            assert!(loose > wide_gap(cx) && woven > loose);
+            let wanted = if tied { [wide_gap(cx); 2] } else { [loose, woven] };
+            assert_eq!([false, true].map(|w| tie_over(cx, journal, top, &own, w)), wanted);
+        });
+    }
 }

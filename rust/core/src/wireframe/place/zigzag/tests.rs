@@ -201,3 +201,28 @@ fn spacings_divide_a_contour_evenly() {
         assert_eq!(even_spacing(length, least), wanted);
     }
 }
+
+#[test]
+fn no_diagonal_leads_to_or_from_a_post_without_room() {
+    let printer = Printer::paper();
+    let own = Curve::new(&[DVec2::ZERO, DVec2::X * 200.0], false).unwrap();
+    let walls = Walls::new(&[], 1.0..=1.0);
+    let input = input(&own, &walls, &[]);
+    let places: Vec<f64> = (0..=100).map(|i| 2.0 * f64::from(i)).collect();
+    // Another wall comes near in the middle.
+    let linked = |room: f64| -> Vec<(f64, bool)> {
+        let mut candidates = all(&own, &places);
+        let near = candidates.iter_mut().filter(|c| (80.0..120.0).contains(&c.post.s));
+        near.for_each(|c| c.room = room);
+        let steps = chain(&input, 0.0, &candidates, &printer.head, input.run, room);
+        steps.iter().map(|step| (step.post.s, step.linked)).collect()
+    };
+    assert!(linked(0.6)[1..].iter().all(|post| post.1));
+    let found = linked(0.59);
+    assert!(found.len() > 8);
+    let is_near = |s: f64| (80.0..120.0).contains(&s);
+    for pair in found.windows(2) {
+        let wanted = !is_near(pair[0].0) && !is_near(pair[1].0);
+        assert_eq!(pair[1].1, wanted, "{pair:?}");
+    }
+}

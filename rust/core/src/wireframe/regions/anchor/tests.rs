@@ -81,6 +81,9 @@ fn a_line_waits_for_another_of_its_layer_that_it_may_lean_on() {
     let [leans, lies]: [&[(f64, f64)]; 2] =
         [&[(0.0, 0.38), (9.0, 0.38)], &[(0.0, 0.0), (9.0, 0.0)]];
     assert_eq!(anchored(&bed, vec![layer(0, &[leans, lies])]), [[lies, leans]]);
+    // A strand apart, they do not touch.
+    let apart: &[(f64, f64)] = &[(0.0, 0.4), (9.0, 0.4)];
+    assert_eq!(anchored(&bed, vec![layer(0, &[lies, apart])]), [[lies]]);
 }
 
 #[test]
