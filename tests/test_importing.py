@@ -227,6 +227,25 @@ def test_a_start_macro_is_called_with_the_temperatures_that_it_asks_for(folder):
     ]
 
 
+def test_options_may_stand_further_in_than_their_section(folder):
+    lines = files.KLIPPER.replace("[include mcu/*.cfg]\n[include macros.cfg]\n", "").splitlines()
+    within = [line if line.startswith(("[", "#")) else f"    {line}" for line in lines]
+    macro = [
+        "[gcode_macro END_PRINT]",
+        "  description: ends",
+        "  gcode:",
+        "    M104 S0",
+        "    M140 S0",
+    ]
+    (folder / "indented.cfg").write_text("\n".join([*within, *macro]))
+    (folder / "flat.cfg").write_text("\n".join(lines))
+    found = imported([folder / "indented.cfg"], hotend="v6").values
+    flat_one = imported([folder / "flat.cfg"], hotend="v6").values
+    assert found["motion"] == flat_one["motion"]
+    assert found["homing"] == flat_one["homing"]
+    assert "M104 S0" in found["gcode"]["end"]
+
+
 def test_a_macro_with_logic_is_not_believed(folder):
     macros = "[gcode_macro PRINT_END]\ngcode:\n  {% if printer.x %}\n  G1 X0\n  {% endif %}\n"
     (folder / "macros.cfg").write_text(macros)

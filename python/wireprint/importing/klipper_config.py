@@ -57,7 +57,7 @@ class KlipperConfig:
             msg = f"{path}: more than {_MOST_FILES} files, or {_MOST_BYTES >> 20} MB, are included"
             raise SettingError(msg)
         section: Config | None = None
-        option = ""
+        option, indent = "", 0
         for number, line in enumerate(text.splitlines(), start=1):
             place = f"{path.name}:{number}"
             if saved := line.startswith(_SAVED):
@@ -67,9 +67,13 @@ class KlipperConfig:
             line = _COMMENT.sub("", line).rstrip()
             if not line:
                 continue
-            if line[0].isspace() and section is not None and option:
+            # As Python's reader has it: what stands further in than its option goes on with that.
+            stands = len(line) - len(line.lstrip())
+            if stands > indent and section is not None and option:
                 self._go_on(section, option, line.strip())
-            elif head := _SECTION.match(line):
+                continue
+            line, indent = line.strip(), stands
+            if head := _SECTION.match(line):
                 name = " ".join(head[1].split())
                 option = ""
                 if name.startswith("include "):
