@@ -7,7 +7,8 @@
 //! into the others. That proves that they cannot all be printed, with this head and in these
 //! forms; what is held, and what hangs, is not asked here.
 
-use super::{Bars, Lattice, Stroke};
+use super::bars::Bars;
+use super::{Lattice, Stroke};
 
 /// The struts among those that do not stand yet of which none can come last, ascending.
 ///

@@ -15,8 +15,6 @@ use glam::DVec3;
 
 pub use search::order;
 
-use bars::Bars;
-
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::{CoreError, Result};

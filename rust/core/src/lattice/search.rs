@@ -5,9 +5,10 @@
 //! from the end: Huang, Garrett et al., *Scalable and probabilistically complete planning for robotic
 //! spatial extrusion*, RSS 2020.
 
+use super::bars::Bars;
 use super::rank::Rank;
 use super::state::State;
-use super::{Bars, Laid, Lattice, Ordered, Rules, Why};
+use super::{Laid, Lattice, Ordered, Rules, Why};
 use crate::head::Head;
 
 /// Rounds at most.

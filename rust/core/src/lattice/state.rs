@@ -1,7 +1,8 @@
 //! What stands while a search goes on, what holds, what hangs, and what is barred.
 
+use super::bars::Bars;
 use super::lock::locked;
-use super::{Bars, Laid, Lattice, Rules, Stroke};
+use super::{Laid, Lattice, Rules, Stroke};
 
 /// Struts that stand, and what follows from them.
 pub struct State<'a> {
