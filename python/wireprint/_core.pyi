@@ -665,6 +665,9 @@ _Found: TypeAlias = tuple[_WorstRow | None, int, int]
 
 @final
 class Forecast:
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]: ...
+    @staticmethod
+    def _restored(state: bytes) -> Forecast: ...
     @property
     def found(self) -> list[tuple[_RuleName, _Found]]: ...
     @property

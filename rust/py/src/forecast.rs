@@ -12,6 +12,7 @@ use crate::arrays;
 use crate::check::{Point, judging, require_positive};
 use crate::errors::{SettingError, detached};
 use crate::estimate::Estimate;
+use crate::kept::{self, Reduced};
 use crate::params::Params;
 
 /// A worst place: value, line, place in mm, length in mm and detail.
@@ -28,6 +29,17 @@ pub struct Forecast {
 
 #[pymethods]
 impl Forecast {
+    /// For pickle and copy.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        kept::reduced(slf.as_any(), &slf.get().core, Vec::new())
+    }
+
+    /// What `__reduce__` gave away.
+    #[staticmethod]
+    fn _restored(state: &[u8]) -> PyResult<Self> {
+        Ok(Self { core: kept::restored(state)? })
+    }
+
     /// What each rule found, by its name; `holds` thrice, posts setting slowest first.
     #[getter]
     fn found(&self) -> Vec<(&'static str, FoundRow)> {

@@ -4,6 +4,7 @@
 //! begins and ends, and what switches the air. No part of the certificate, and a model throughout.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use super::beam::Section;
 use super::climate::Climate;
@@ -27,7 +28,7 @@ use crate::gcode::machine::MachineSettings;
 use crate::memory;
 
 /// Figures of each strand, NaN where a strand has none.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct PerStrand {
     /// Line of each.
     pub lines: Vec<u64>,
@@ -48,7 +49,7 @@ pub struct PerStrand {
 }
 
 /// What a text would do.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Forecast {
     /// Figures of each strand.
     pub strands: PerStrand,

@@ -1,7 +1,7 @@
 //! What a forecast is about: a text as it was read, and what it is asked for.
 
 use glam::DVec3;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::climate::Climate;
 use super::clock::Span;
@@ -53,7 +53,7 @@ impl Terms {
 }
 
 /// The worst of what a rule is about.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Worst {
     /// In the rule's unit.
     pub value: f64,
@@ -68,7 +68,7 @@ pub struct Worst {
 }
 
 /// What a rule found: its worst, and how many of how many are beyond its limit.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Found {
     /// None where there is nothing that it is about, or where it was not judged.
     pub worst: Option<Worst>,
