@@ -12,6 +12,9 @@ use crate::wireframe::plan::section::Section;
 /// What sticks out over less than this many strands of a contour's length is not worth a sheet.
 const LEAST: f64 = 4.0;
 
+/// Beside a contour is so many strands from it.
+const ASIDE: f64 = 2.0;
+
 /// Whether a slice has parts by a strand and more that neither the slice below nor the one above
 /// has, or lacks what both have: a shelf, a groove, a plate under something.
 #[must_use]
@@ -33,6 +36,34 @@ pub fn is_lost_between(
         lost += step * places.filter(|&p| is_lost(p)).count() as f64;
         if lost > LEAST * strand {
             return true;
+        }
+    }
+    false
+}
+
+/// Whether a slice has, or lacks, what both the slice below and the one above lack, or have, beside their
+/// contours: a floor without an outline of its own, since those of other bodies enclose it.
+#[must_use]
+pub fn is_lost_beside(
+    contours: &[Contour],
+    below: &[Contour],
+    above: &[Contour],
+    strand: f64,
+) -> bool {
+    let [own, lower, upper] = [contours, below, above].map(Section::new);
+    let is_lost = |p: DVec2| own.holds(p) != lower.holds(p) && own.holds(p) != upper.holds(p);
+    let mut lost = 0.0;
+    for curve in below.iter().chain(above).filter_map(|c| Curve::new(&c.points, c.closed)) {
+        let count = (curve.length() / strand).ceil().max(1.0);
+        let step = curve.length() / count;
+        for i in 0..count as usize {
+            let [back, here, on] =
+                [0.25, 0.5, 0.75].map(|part| curve.position(step * (i as f64 + part)));
+            let aside = (on - back).perp().normalize_or_zero() * ASIDE * strand;
+            lost += if is_lost(here + aside) || is_lost(here - aside) { step } else { 0.0 };
+            if lost > LEAST * strand {
+                return true;
+            }
         }
     }
     false
@@ -62,6 +93,12 @@ impl Bodies {
             }
         }
         Self { of, extents }
+    }
+
+    /// Whether there are several.
+    #[must_use]
+    pub fn are_several(&self) -> bool {
+        self.extents.len() > 1
     }
 
     /// Whether a slice shows a body that begins and ends between two heights, mm: a lid as a body of

@@ -14,7 +14,7 @@ use crate::slices::heights::{HeightParams, Level, choose_levels};
 use crate::slices::{Plane, Side};
 use crate::stroke::Strokes;
 use crate::wireframe::plan::ledges::ledges_of;
-use crate::wireframe::plan::sheets::{Bodies, is_lost_between};
+use crate::wireframe::plan::sheets::{Bodies, is_lost_beside, is_lost_between};
 use crate::wireframe::plan::strips::{Slab, Strip, all_strips};
 
 /// A model cut into slabs.
@@ -175,7 +175,9 @@ fn stacks<'a>(
             let last = kept.last().map_or(below.1, |last| last.1);
             let next = own.get(i + 1).map_or(above.1, |next| next.1);
             let is_lost = bodies.is_one_within(contours, below.0, above.0, strand)
-                || is_lost_between(contours, last, next, strand);
+                || is_lost_between(contours, last, next, strand)
+                // What lies within one body its faces tell.
+                || bodies.are_several() && is_lost_beside(contours, last, next, strand);
             if is_lost {
                 kept.push((z, contours));
             }

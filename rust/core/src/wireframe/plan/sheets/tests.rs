@@ -30,6 +30,31 @@ fn a_shelf_or_a_groove_is_lost_and_a_step_or_a_slope_is_not() {
 }
 
 #[test]
+fn a_floor_that_other_bodies_enclose_is_lost_beside_their_contours() {
+    let hole = |half: f64| {
+        let mut inner = square(half);
+        inner.points.reverse();
+        inner.area = -inner.area;
+        inner
+    };
+    let (plate, frame) = ([square(12.0)], [square(12.0), hole(8.0)]);
+    let lost = |own: &[Contour], below: &[Contour], above: &[Contour]| {
+        is_lost_beside(own, below, above, STRAND)
+    };
+    assert!(lost(&plate, &[], &frame) && lost(&plate, &frame, &frame));
+    assert!(lost(&frame, &[square(12.0), hole(6.0)], &plate));
+    assert!(!is_lost(&plate, &frame, &frame));
+    // What one of them has is there, and so is what neither lacks.
+    assert!(
+        !lost(&plate, &plate, &frame) && !lost(&frame, &[], &frame) && !lost(&plate, &[], &plate)
+    );
+    // A hole that is no wider than what counts as beside it is none.
+    assert!(!lost(&plate, &[], &[square(12.0), hole(0.4)]));
+    // Nor is a slope.
+    assert!(!lost(&[square(11.0)], &[square(12.0)], &[square(10.0)]));
+}
+
+#[test]
 fn what_sticks_out_counts_over_four_strands_of_its_length() {
     // A tongue of this width on a square's side, 1.5 mm out: at its tip 0.8 mm of both sides count.
     let tongue = |width: f64| {
