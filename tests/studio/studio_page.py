@@ -70,6 +70,7 @@ class Window:
         page = self.browser.new_context(
             viewport={"width": width, "height": height}, **context
         ).new_page()
+        page.set_default_timeout(1000 * PATIENCE_S)
         self._pages.append(page)
         page.on("request", lambda request: self.requests.append(request.url))
         page.on("pageerror", lambda error: self.faults.append(str(error)))

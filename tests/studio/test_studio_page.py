@@ -250,8 +250,10 @@ KEYS = {
     "n": "store.toast.value?.words === 'nothing is wrong or missing'",
     "Space": "store.playing.value",
 }
-#: Key → axis and side that the view is from.
-VIEWS = {"1": (1, -1), "3": (0, 1), "7": (2, 1)}
+#: Key → direction that the view is from.
+VIEWS = {"1": (0, -1, 0), "3": (1, 0, 0), "7": (0, 0, 1), "5": (0.52, -0.74, 0.42)}
+#: Keys of the list that other tests press.
+ELSEWHERE = {"Alt drag", "← →", "Ctrl Z", "Ctrl E", "Ctrl S", "Delete", "Esc"}
 
 
 def test_keys_do_what_the_list_says(page):
@@ -260,13 +262,39 @@ def test_keys_do_what_the_list_says(page):
         page.keyboard.press(key)
         until(page, expression)
         page.keyboard.press("Escape")
-    for key, (axis, sign) in VIEWS.items():
+    for key, direction in VIEWS.items():
         page.keyboard.press(key)
         until(
             page,
             "studio.view.camera.position.clone().sub(studio.view.controls.target).normalize()"
-            f".getComponent({axis}) * {sign} > 0.999",
+            f".distanceTo({{ x: {direction[0]}, y: {direction[1]}, z: {direction[2]} }}) < 0.02",
         )
+
+
+def test_every_key_of_the_list_is_pressed_in_a_test(page):
+    page.keyboard.press("?")
+    page.get_by_role("dialog").wait_for()
+    told = set(page.locator("dl.keys kbd").all_inner_texts())
+    pressed = {key if key == "Space" else key.upper() for key in [*KEYS, *VIEWS]}
+    assert told >= ELSEWHERE
+    assert {key for line in told - ELSEWHERE for key in line.split()} == pressed
+
+
+def test_delete_deletes_the_chosen_mark_and_escape_lets_it_go(page):
+    for count in (1, 2):
+        page.evaluate("void studio.shape('box')")
+        until(page, f"store.state.value.items.length === {count}")
+    until(page, "store.selected.value === store.state.value.items[1].number")
+    kept = page.evaluate("store.state.value.items[0].number")
+    page.keyboard.press("Delete")
+    until(page, "store.state.value.items.length === 1")
+    assert page.evaluate("store.state.value.items[0].number") == kept
+    page.evaluate(f"store.selected.value = {kept}")
+    page.keyboard.press("Escape")
+    assert page.evaluate("store.selected.value") is None
+    page.keyboard.press("Delete")
+    settled(page)
+    assert page.evaluate("store.state.value.items.length") == 1
 
 
 def test_a_mark_is_made_and_a_file_exported_by_keyboard_alone(page):

@@ -225,10 +225,34 @@ def test_a_print_is_given_up_between_the_steps_of_its_regions(cube):
 
     steps = steps_until(None)
     assert steps[:3] == ["marks", "layers, round 1", "walls"]
-    assert steps[-2:] == ["wire beside layers, round 1", "proof, round 1"]
+    printing = ["wire beside layers", "moves", "file", "proof"]
+    assert steps[-4:] == [f"{name}, round 1" for name in printing]
     assert len(set(steps)) > 8
     for name in set(steps):
         assert steps_until(name) == steps[: steps.index(name) + 1]
+
+
+def test_lines_that_are_laid_for_a_print_out_of_date_are_given_up(talk, monkeypatch):
+    from wireprint.hybrid import lines, prove
+
+    fringe, wireframe, wired = lines.fringe, prove.wireframe, []
+
+    def changed_meanwhile(*arguments):
+        monkeypatch.setattr(lines, "fringe", fringe)
+        talk.ask("undo")
+        return fringe(*arguments)
+
+    def wire(*arguments, **options):
+        wired.append(arguments)
+        return wireframe(*arguments, **options)
+
+    monkeypatch.setattr(lines, "fringe", changed_meanwhile)
+    monkeypatch.setattr(prove, "wireframe", wire)
+    head, _ = talk.ask("mark", mark=BAND)
+    talk.wait("current", lambda one: one["revision"] == head["revision"] + 1)
+    assert wired == []
+    talk.edit("redo")
+    assert len(wired) == 1
 
 
 def test_a_slow_print_tells_what_it_is_at_until_it_is_shown(talk, monkeypatch):

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     Ints = npt.NDArray[np.int64]
     Bools = npt.NDArray[np.bool_]
 
+_STEP = "what leads up to walls"
 #: From strand to strand, as a part of the farthest that still touches.
 _TOUCH = 0.9
 #: From a rim of wire, which may stray by half its diameter, to the first, as a part of a strand.
@@ -63,8 +64,9 @@ def aprons(
     recipe
         Widths.
     on_step
-        Called before each row of strands; it may raise to give up.
+        Called before each step, and each row of strands; it may raise to give up.
     """
+    on_step(_STEP)
     step_mm = _TOUCH * np.sqrt(np.maximum(recipe.width_mm**2 - cut.thickness**2, 0.0))
     layers = 1 + np.flatnonzero(~shapely.is_empty(outer[1:]) & (step_mm[1:] > 0))
     below, step = areas[layers - 1], step_mm[layers]
@@ -76,6 +78,7 @@ def aprons(
     unsure = _leaves(outer[layers], (rims, walled), first)
     layers, first, step = layers[unsure], first[unsure], step[unsure]
     below, rims, walled = below[unsure], rims[unsure], walled[unsure]
+    on_step(_STEP)
     loose = shapely.difference(outer[layers], buffered(rims, first))
     loose = shapely.difference(loose, buffered(_about(walled, loose, step), step))
     rims = shapely.union(rims, walled)
@@ -92,6 +95,7 @@ def aprons(
     first, step = first[wanted], step[wanted]
     if not len(layers):
         return []
+    on_step(_STEP)
     between = shapely.symmetric_difference(areas[layers], below)
     reach = np.array([_reach(*pair) for pair in zip(loose, rims, strict=True)])
     reach = np.minimum(reach + step, _MOST * step)
@@ -100,7 +104,7 @@ def aprons(
     room = shapely.difference(room, buffered(walls[layers], _DOUBLE * step))
     groups = []
     for number in range(1, _MOST + 1):
-        on_step("what leads up to walls")
+        on_step(_STEP)
         aside = first + (number - 1) * step
         sides = [shapely.boundary(buffered(below, way * aside)) for way in (1, -1)]
         strings = shapely.intersection(shapely.union(*sides), room)

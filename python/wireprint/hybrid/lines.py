@@ -106,7 +106,6 @@ def lay(
     stack = Stack(areas, filled, recipe)
     outer, inner = (shapely.boundary(offset(solid, -mm)) for mm in (inset_mm, walls_mm))
     outer, inner = shapely.union(outer, edge.outer), shapely.union(inner, edge.innermost)
-    on_step("what leads up to walls")
     groups = aprons(cut, areas, outer, shapely.union(outer, inner), recipe, on_step)
     on_step("walls and fill")
     groups += [*_islands(solid, floor, stack, inset_mm), *edge.groups]

@@ -141,8 +141,12 @@ def proved(
     write = write or partial(file.write, settings=settings)
 
     def attempt(strands: Wireframe) -> _Attempt:
+        on_step(f"moves, round {rounds}")
+        path = toolpath(strands, settings)
+        on_step(f"file, round {rounds}")
+        written = write(path)
         on_step(f"proof, round {rounds}")
-        return _Attempt.at(strands, settings, write)
+        return _Attempt(strands, path, written, check(written.text, settings))
 
     on_step("marks")
     plan = Plan.of(sketch, region)
@@ -182,15 +186,6 @@ class _Attempt:
     path: Toolpath
     written: Written
     verdict: Certificate
-
-    @classmethod
-    def at(
-        cls, strands: Wireframe, settings: Settings, write: Callable[[Toolpath], Written]
-    ) -> _Attempt:
-        """Write strands as a file, and judge it."""
-        path = toolpath(strands, settings)
-        written = write(path)
-        return cls(strands, path, written, check(written.text, settings))
 
     def proved(self, plan: Plan, rounds: int, trimmed_mm: float = 0.0) -> Proved:
         """Return it as the answer to a plan."""
