@@ -1,10 +1,11 @@
 """Fits synthetic ladders and harps: how often pause and sag come out as they were.
 
-python benches/recovery.py [--seeds N] [--printer NAME] [--material NAME]
+python benches/recovery.py [--seeds N] [--printer NAME] [--material NAME] [--normal]
 
-Each machine is drawn from the priors; its pause is told with ±0.1 s, its sags with ±0.15 mm. Fails
-where the predicted pause is within 0.15 s, and the sag of a strand of 20 mm within 0.1 mm, for
-fewer than 95 of 100.
+Each machine is drawn from the priors; its pause is read within ±0.1 s, its sags within ±0.15 mm,
+all of that as likely. Fails where the predicted pause is within 0.15 s, and the sag of a strand of
+20 mm within 0.1 mm, for fewer than 95 of 100. With --normal these are deviations of a normal error,
+of which 13 of 100 are beyond 0.15 s by themselves.
 """
 
 import argparse
@@ -36,18 +37,19 @@ def truth(settings, rng):
     return pause, lambda laid: _core.sags(other, speed, laid, list(LENGTHS_MM))
 
 
-def recovered(settings, seed):
+def recovered(settings, seed, normal):
     """How far pause (s) and the sag of the shortest strand (mm) are off for one machine."""
     rng = np.random.default_rng(seed)
     pause, sags = truth(settings, rng)
+    error = rng.normal if normal else lambda _, within: rng.uniform(-within, within)
     speeds = [share * settings.print_mm_s for share in SHARES]
     laid = {speed: sags(speed) for speed in speeds}
     measured = tuple(
-        Sag(length, speed, max(0.0, sag + rng.normal(0, SAG_MM)))
+        Sag(length, speed, max(0.0, sag + error(0, SAG_MM)))
         for speed in speeds
         for length, sag in zip(LENGTHS_MM, laid[speed], strict=True)
     )
-    told = max(0.01, pause + rng.normal(0, PAUSE_S))
+    told = max(0.01, pause + error(0, PAUSE_S))
     held = Held("ladder", settings.print_mm_s, told, PAUSE_S)
     found = fitted(settings, Answers("2026-11-27", (held,), measured))
     return found.pause_s - pause, found.sags_mm[0][1] - laid[speeds[0]][0]
@@ -59,9 +61,10 @@ def main():
     parser.add_argument("--seeds", type=int, default=100)
     parser.add_argument("--printer", default="prusa-mk4s")
     parser.add_argument("--material", default="pla")
+    parser.add_argument("--normal", action="store_true", help="errors of a normal distribution")
     options = parser.parse_args()
     settings = Settings.load(options.printer, options.material)
-    off = np.abs([recovered(settings, seed) for seed in range(options.seeds)])
+    off = np.abs([recovered(settings, seed, options.normal) for seed in range(options.seeds)])
     shares = np.mean(off <= (WITHIN_S, WITHIN_MM), axis=0)
     for name, share, at in zip(
         ("pause", "sag"), shares, np.quantile(off, 0.95, axis=0), strict=True

@@ -32,10 +32,11 @@ if TYPE_CHECKING:
 PRIORS: Final = (0.5, 0.7, 0.05, 8.0)
 #: Steps of the finite differences, in priors.
 _STEP: Final = 0.2
-#: Steps of Gauss and Newton; slopes are taken anew in the first of them alone, for each is laid as
-#: a dozen rods, and the model is nearly straight over its priors.
-_STEPS: Final = 4
-_NEW_SLOPES: Final = 2
+#: Steps of Gauss and Newton at most, and how small one is the last, in priors.
+_STEPS: Final = 8
+_SMALL: Final = 0.03
+#: How often a step that makes the fit worse is halved: sags of soft strands are far from straight.
+_HALVED: Final = 3
 #: No parameter is taken farther off than this, in priors.
 _FARTHEST: Final = 3.0
 #: Height of the posts by which pauses at several speeds are compared, mm, and the longest, s.
@@ -76,15 +77,29 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
     unit: Array = np.eye(len(PRIORS))
     place: Array = np.zeros(len(PRIORS))
     values = model(place)
-    slopes = _slopes(model, place, values)
-    for step in range(_STEPS):
+
+    def misses(place: Array, values: Array) -> float:
+        return float(place @ place + np.sum(((np.array(measured) - values[rows]) * weights) ** 2))
+
+    for _ in range(_STEPS):
+        slopes = _slopes(model, place, values)
         scaled = slopes[rows] * weights[:, None]
         off = (np.array(measured) - values[rows]) * weights + scaled @ place
         found = np.linalg.solve(unit + scaled.T @ scaled, scaled.T @ off)
-        place = np.asarray(np.clip(found, -_FARTHEST, _FARTHEST), np.float64)
-        values = model(place)
-        if step + 1 < _NEW_SLOPES:
-            slopes = _slopes(model, place, values)
+        move = np.clip(found, -_FARTHEST, _FARTHEST) - place
+        nearer = None
+        for halved in range(_HALVED + 1):
+            tried = place + move / 2**halved
+            foretold = model(tried)
+            if misses(tried, foretold) < misses(place, values):
+                nearer = tried, foretold
+                break
+        if nearer is None:
+            break
+        moved = float(np.abs(nearer[0] - place).max())
+        place, values = nearer
+        if moved < _SMALL:
+            break
     scaled = slopes[rows] * weights[:, None]
     spread = np.linalg.inv(unit + scaled.T @ scaled)
     deviation = np.sqrt(np.einsum("ij,jk,ik->i", slopes, spread, slopes))
