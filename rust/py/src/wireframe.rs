@@ -281,8 +281,7 @@ impl Wireframe {
         Ok(Self { core: Arc::new(core), mesh: self.mesh.clone_ref(py), bare: None })
     }
 
-    /// The strand that each of some segments is, or is a part of: its number, (M,) int64; −1 where
-    /// there is none.
+    /// Tell which strand each of some segments is, or is a part of.
     ///
     /// Parameters
     /// ----------
@@ -291,9 +290,14 @@ impl Wireframe {
     /// within_mm
     ///     How far off the strand both ends may lie, mm.
     ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray
+    ///     Its number, int64 (M,); −1 where there is none.
+    ///
     /// Raises
     /// ------
-    /// `SettingError`
+    /// SettingError
     ///     The array has another shape.
     fn holding<'py>(
         &self,
