@@ -9,6 +9,7 @@ import wireprint
 from wireprint import cli, examples
 from wireprint.budget import Budget, BudgetError, within
 from wireprint.budget import search as searching
+from wireprint.budget.search import Search
 
 
 @pytest.fixture(scope="module")
@@ -139,3 +140,15 @@ def test_what_is_no_budget_is_refused(cube, tmp_path, arguments):
     told = run(cube, "-o", tmp_path / "a.gcode", *arguments)
     assert told.exit_code == 2
     assert not (tmp_path / "a.gcode").exists()
+
+
+def test_less_than_any_rung_of_the_ladder_is_looked_for(sphere, settings):
+    search = Search(sphere, settings, Budget(time_s=1.0), None, frozenset())
+    with pytest.raises(BudgetError):
+        search.best_of_all()
+    rungs = {tuple(sorted(knobs.items())) for knobs in search._ladder()}
+    times = {tuple(sorted(one.knobs.items())): one.print_time_s for one in search._timed()}
+    least_s = min(time_s for knobs, time_s in times.items() if knobs in rungs)
+    less = within(sphere, settings, Budget(time_s=0.97 * least_s))
+    assert less.chosen.print_time_s <= 0.97 * least_s
+    assert less.made.certificate.ok

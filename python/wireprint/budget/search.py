@@ -84,6 +84,7 @@ class Search:
     def best_of_all(self) -> Tried:
         """Climb the ladder, then walk downhill; return where no neighbour is better."""
         self._try(self._ladder())
+        self._approach()
         self._judge_the_next()
         best = self._best()
         while best is not None:
@@ -93,6 +94,14 @@ class Search:
                 return best
             best = better
         raise self._refusal()
+
+    def _approach(self) -> None:
+        """Walk towards the least there is where nothing yet keeps within the budget."""
+        while self._best() is None and self._timed():
+            least = min(self._timed(), key=self._excess)
+            self._try(self._neighbours(least.knobs))
+            if min(self._timed(), key=self._excess) is least:
+                return
 
     @property
     def give_by(self) -> str:
