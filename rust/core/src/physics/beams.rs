@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::frame::{Frame, contacts};
+use super::contacts::contacts;
+use super::frame::Frame;
 use super::growth::carrying;
 use crate::check::deposit::Deposit;
 use crate::check::reading::{Macros, Reading};
@@ -48,7 +49,7 @@ pub fn beams_of_text(
     let deposit = Deposit::of(moves, &read.notes.dwells, &rules.bed);
     let counts = carrying(&read.features, &deposit);
     let counts = |strand: usize| counts[strand];
-    let frame = Frame::of(&deposit, rules, contacts(&deposit, rules, counts), counts);
+    let frame = Frame::of(&deposit, rules, contacts(&deposit, rules, counts)?, counts);
     let strands: Vec<u32> = frame.beams.iter().map(|beam| beam.strand).collect();
     Ok(Beams {
         ends: frame.beams.iter().map(|beam| [beam.from, beam.to]).collect(),

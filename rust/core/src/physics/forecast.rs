@@ -10,8 +10,9 @@ use super::beam::Section;
 use super::climate::Climate;
 use super::clock::{Times, spans};
 use super::conditions::{Conditions, along};
+use super::contacts::contacts;
 use super::flows::{Flows, flows};
-use super::frame::{Frame, contacts};
+use super::frame::Frame;
 use super::growing::grow;
 use super::growth::{carrying, rises};
 use super::hanging::{Stretch, stretches};
@@ -120,7 +121,7 @@ impl Scene<'_> {
     fn forecast(&self, conditions: &Conditions) -> Result<Forecast> {
         let Self { deposit, rules, terms, .. } = self;
         let hanging = stretches(deposit, &contact::of_all(deposit, rules), rules);
-        let touching = contacts(deposit, rules, |strand| self.carries[strand]);
+        let touching = contacts(deposit, rules, |strand| self.carries[strand])?;
         let Joints { age, celsius, weld, found: welds, median } = joints(self, &touching);
         let frame = Frame::of(deposit, rules, touching, |strand| self.carries[strand]);
         let grown = self.grown(&frame.on_the_bed())?;

@@ -1,12 +1,9 @@
 //! The frame: nodes where strands are in contact, and beams between them.
 
-use std::ops::ControlFlow;
-
 use glam::DVec3;
-use rayon::prelude::*;
 
-use super::closest::closest;
-use crate::check::contact::{ROUNDING_MM, held_up_to, touch};
+use super::contacts::Contact;
+use crate::check::contact::{ROUNDING_MM, touch};
 use crate::check::deposit::Deposit;
 use crate::check::rules::Rules;
 use crate::geometry::disjoint_sets::UnionFind;
@@ -17,9 +14,6 @@ const SHORTEST_MM: f64 = 1e-3;
 /// Places that are joined to one node lie within so many reaches of a contact: strands that cross, with
 /// what stands on them, but not a wall whose every turn lies on the last.
 const NODE_REACHES: f64 = 3.0;
-
-/// Strands that one task looks at.
-const BATCH: usize = 64;
 
 /// A piece of a strand between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,45 +36,6 @@ pub(super) struct Frame {
     pub beams: Vec<Beam>,
     /// Nodes at the start and the end of each strand that counts.
     pub ends: Vec<Option<[u32; 2]>>,
-}
-
-/// Two places of strands that touch.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Contact {
-    /// The one that was there, and the one that was laid on it.
-    pub strands: [u32; 2],
-    /// Where along each, 0–1.
-    pub at: [f64; 2],
-}
-
-impl Contact {
-    /// Number of places that are no end of their strand.
-    fn inner(&self) -> usize {
-        self.at.iter().filter(|&&u| u != 0.0 && u != 1.0).count()
-    }
-
-    /// Whether it is no joint, but the strand that goes on.
-    pub(super) fn goes_on(&self) -> bool {
-        self.strands[0] + 1 == self.strands[1] && self.at == [1.0, 0.0]
-    }
-}
-
-/// Where strands for which `counts` holds touch each other, in the order of their numbers.
-pub(super) fn contacts(
-    deposit: &Deposit,
-    rules: &Rules,
-    counts: impl Fn(usize) -> bool + Sync,
-) -> Vec<Contact> {
-    (0..deposit.strands.len())
-        .into_par_iter()
-        .with_min_len(BATCH)
-        .filter(|&strand| counts(strand))
-        .flat_map_iter(|strand| {
-            let mut found = Vec::new();
-            contacts_of(strand as u32, deposit, rules, &counts, &mut found);
-            found
-        })
-        .collect()
 }
 
 impl Frame {
@@ -106,42 +61,6 @@ impl Frame {
         beams.retain(|&Beam { from, to, .. }| !(fixed[from as usize] && fixed[to as usize]));
         self
     }
-}
-
-/// Where a strand touches those laid before it.
-fn contacts_of(
-    strand: u32,
-    deposit: &Deposit,
-    rules: &Rules,
-    counts: &impl Fn(usize) -> bool,
-    found: &mut Vec<Contact>,
-) {
-    let ends = deposit.strands[strand as usize];
-    let chain = |strand: u32| deposit.links[strand as usize].chain;
-    if let Some(last) = strand.checked_sub(1)
-        && chain(last) == chain(strand)
-        && counts(last as usize)
-    {
-        found.push(Contact { strands: [last, strand], at: [1.0, 0.0] });
-    }
-    let reach = touch(rules);
-    let low = ends[0].min(ends[1]) - reach;
-    let high = ends[0].max(ends[1]) + reach;
-    deposit.grid.earlier(ends, reach, strand, low.z, |other| {
-        let [a, b] = deposit.strands[other as usize];
-        let beside = a.max(b).cmplt(low).any() || a.min(b).cmpgt(high).any();
-        if !beside
-            && counts(other as usize)
-            && let Some(share) = held_up_to(strand, other, deposit, rules)
-        {
-            let (t, s, distance) = closest([a, a.lerp(b, share)], ends);
-            if distance < reach {
-                let contact = Contact { strands: [other, strand], at: [t * share, s] };
-                found.push(contact);
-            }
-        }
-        ControlFlow::Continue(())
-    });
 }
 
 /// Places along strands, joined as contacts are found.

@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use super::beam::Section;
-use super::frame::{Frame, contacts};
+use super::contacts::contacts;
+use super::frame::Frame;
 use super::growing::grow;
 use crate::check::deposit::Deposit;
 use crate::check::reading::{Macros, Reading};
@@ -62,7 +63,7 @@ pub fn grow_text(
     let deposit = Deposit::of(&read.notes.moves, &read.notes.dwells, &rules.bed);
     let counts = carrying(&read.features, &deposit);
     let counts = |strand: usize| counts[strand];
-    let frame = Frame::of(&deposit, rules, contacts(&deposit, rules, counts), counts).on_the_bed();
+    let frame = Frame::of(&deposit, rules, contacts(&deposit, rules, counts)?, counts).on_the_bed();
     let mut peaks = Vec::new();
     let section = Section::new(rules.strand, elastic.modulus);
     let judged = grow(&frame, section, elastic.most_work, |laid| {

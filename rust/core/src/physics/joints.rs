@@ -1,6 +1,6 @@
 //! How well strands weld to what they are laid on.
 
-use super::frame::Contact;
+use super::contacts::Contact;
 use super::scene::{Found, Scene};
 use super::weld::Welds;
 

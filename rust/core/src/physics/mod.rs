@@ -14,6 +14,7 @@ mod clock;
 mod closest;
 mod compliance;
 mod conditions;
+mod contacts;
 pub mod cooling;
 pub mod flow;
 mod flows;
