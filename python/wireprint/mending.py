@@ -105,8 +105,6 @@ def mended(
         number += 1
         dropped, fell = falling(strands, dropped, strand_mm, to_blame, rounds - number)
         number += fell
-        if fell and number == rounds:
-            return None
         most_mm -= _length_mm(strands.strands[dropped])
         if most_mm < 0 or len(dropped) == strands.strand_count:
             return None
