@@ -9,10 +9,6 @@ use crate::mesh::Mesh;
 /// Bare crests are wanted from this length on, as a part of what contours cover beside them.
 const LEAST: f64 = 2.0;
 
-/// A crest at the very height of a slice is an outline of it: whether faces close it is asked to either
-/// side of it, mm, by less than any printer tells.
-const ASIDE: [DVec2; 2] = [DVec2::new(1e-5, 7e-6), DVec2::new(-1e-5, -7e-6)];
-
 /// The crests of a mesh that have no level of their own yet.
 pub struct Crests {
     left: Vec<Crest>,
@@ -73,11 +69,7 @@ impl<'a> Around<'a> {
 
     fn is_bare(&self, place: DVec2) -> bool {
         !self.near.iter().any(|slice| slice.covers(place, self.z, self.covered))
-            && !self.pairs.iter().any(|pair| {
-                ASIDE
-                    .iter()
-                    .all(|aside| pair[0].holds(place + *aside) != pair[1].holds(place + *aside))
-            })
+            && !self.pairs.iter().any(|pair| pair[0].differs(&pair[1], place))
     }
 }
 

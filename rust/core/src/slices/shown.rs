@@ -14,6 +14,8 @@ use crate::mesh::Mesh;
 const SAME: f64 = 1e-6;
 /// … and so far beside a line is beside it, however it was rounded; less than any printer tells.
 const ASIDE: f64 = 1e-5;
+/// A way that leads off outlines along either axis, and off those at 45°.
+const OBLIQUE: DVec2 = DVec2::new(1.0, 0.7);
 
 /// One of the slices of a level.
 #[derive(Clone)]
@@ -51,6 +53,15 @@ impl Shown {
     /// Whether a place lies within the model here.
     pub fn holds(&self, place: DVec2) -> bool {
         holds(&self.rings, place)
+    }
+
+    /// Whether one of two slices holds a place and the other does not, to either side of it: an outline
+    /// may pass there.
+    pub fn differs(&self, other: &Self, place: DVec2) -> bool {
+        [OBLIQUE, -OBLIQUE].iter().all(|way| {
+            let beside = place + *way * ASIDE;
+            self.holds(beside) != other.holds(beside)
+        })
     }
 
     /// Whether one of its outlines passes a place at height `z` within `reach` mm.
