@@ -71,6 +71,9 @@ fn wrong(i: usize) -> CoreError {
     CoreError::Unprintable(format!("move {i} has a figure that is missing or not finite"))
 }
 
+/// What a strand takes that rounding leaves without length is less than this, mm of filament.
+const LITTLE: f64 = 1e-3;
+
 /// One move in the units of the file.
 struct RoundedMove {
     to: [i64; 3],
@@ -208,7 +211,8 @@ impl<'a> Writer<'a> {
         self.fed += m.filament;
         let stays = self.at == Some(m.to);
         // Fed alone, it would halt the head: what it feeds goes with the next strand.
-        if stays && m.leads_on && is_strand(Some(&m.kind)) {
+        let little = m.filament.abs() < LITTLE;
+        if stays && m.leads_on && little && is_strand(Some(&m.kind)) {
             return;
         }
         let still = m.filament == 0.0;
