@@ -143,3 +143,18 @@ fn a_corner_turns_within_ten_sevenths_of_a_strand() {
     assert_eq!((bends(0.6, 1.4), bends(4.0, 1.4)), (1, 0));
     assert_eq!((bends(2.0, 2.8), bends(0.6, 0.2)), (1, 0));
 }
+
+#[test]
+fn places_merge_into_the_first_of_them_as_long_as_they_are_nearer_than_the_reach() {
+    let peak = Some(DVec3::X);
+    let merged = |places: &[(f64, Option<DVec3>)]| {
+        let mut places = places.to_vec();
+        merge_close(&mut places, 0.5);
+        places
+    };
+    // Of a row, each is told from the first that is kept; what stands on a peak hands that on.
+    let row = [(0.0, None), (0.25, peak), (0.49, None), (0.5, None), (0.75, None), (1.0, peak)];
+    assert_eq!(merged(&row), [(0.0, peak), (0.5, None), (1.0, peak)]);
+    let other = Some(DVec3::Y);
+    assert_eq!(merged(&[(0.0, peak), (0.25, other)]), [(0.0, peak)]);
+}
