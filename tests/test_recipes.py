@@ -105,7 +105,7 @@ def copy(tmp_path_factory):
         ('    "half": (\n', f'{GRAMMAR}    "half": (\n'),
     )
     put(
-        package / "settings.py",
+        package / "settings/wire.py",
         (
             'follows from the printer."""\n\n    slab_min',
             f'follows from the printer."""\n\n{SETTING}    slab_min',

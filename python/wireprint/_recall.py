@@ -22,22 +22,26 @@ from wireprint.lineage import generations
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
 
-    from wireprint.settings import Section, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.section import Section
 
 #: The cache holds at most this many outcomes; a new one replaces the one in its place.
 PLACES = 64
 #: What the outcome depends on besides the settings' own text.
-_CODE = tuple(
-    Path(__file__).parent / name
-    for name in (
-        "settings.py",
-        "choices.py",
-        "_compose.py",
-        "lineage.py",
-        "nozzles.py",
-        "cooling.py",
-        "gcode/sequence.py",
-    )
+_CODE = (
+    *sorted((Path(__file__).parent / "settings").glob("*.py")),
+    *(
+        Path(__file__).parent / name
+        for name in (
+            "bounds.py",
+            "choices.py",
+            "_compose.py",
+            "lineage.py",
+            "nozzles.py",
+            "cooling.py",
+            "gcode/sequence.py",
+        )
+    ),
 )
 
 
@@ -147,7 +151,7 @@ def _plain(value: Any) -> Any:
 
 def plain(section: Section) -> dict[str, Any]:
     """Return a section's values in the form that `Recalled` takes, in JSON's types."""
-    from wireprint.settings import Section
+    from wireprint.settings.section import Section
 
     kind = type(section)
     fields = {name: getattr(section, name) for name in kind.model_fields}

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import catalogue
 
 if TYPE_CHECKING:
-    from wireprint.settings import Bed, Head, Printer, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.head import Head
+    from wireprint.settings.printer import Bed, Printer
 
 #: A head that reaches no less than another: which of two figures, of those that make its shape.
 _LARGER: Final = {

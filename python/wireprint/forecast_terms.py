@@ -8,7 +8,8 @@ from wireprint import _core
 from wireprint.calibration.bending import of_strand
 
 if TYPE_CHECKING:
-    from wireprint.settings import Material, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.material import Material
 
 #: An uncalibrated figure may be so many times as large, or as small: air speed, viscosity and draw
 #: are known within about that.

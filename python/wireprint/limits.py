@@ -12,7 +12,8 @@ from wireprint.catalogue import FOREIGN_SUFFIXES
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from wireprint.settings import Extruder, Motion, Printer
+    from wireprint.settings.motion import Motion
+    from wireprint.settings.printer import Extruder, Printer
 
 Firmware = Literal["klipper", "marlin", "marlin-jerk"]
 FIRMWARES: Final[tuple[Firmware, ...]] = get_args(Firmware)
@@ -56,7 +57,7 @@ def of_mapping(table: Mapping[str, Any]) -> MotionTable:
         Where a key is unknown or missing, or a value out of its bounds.
     """
     from wireprint import _compose
-    from wireprint.settings import Motion
+    from wireprint.settings.motion import Motion
 
     values = dict(table)
     kinematics = values.pop("kinematics", None)

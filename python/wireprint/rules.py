@@ -13,7 +13,9 @@ from wireprint.naming import named
 
 if TYPE_CHECKING:
     from wireprint import _core
-    from wireprint.settings import Head, Printer, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.head import Head
+    from wireprint.settings.printer import Printer
 
 #: Most filament that one command may move in place, mm: Klipper's default
 #: max_extrude_only_distance, and Marlin's EXTRUDE_MAXLENGTH.

@@ -14,7 +14,8 @@ from wireprint.gcode.flavors import FLAVORS
 
 if TYPE_CHECKING:
     from wireprint._core import Mesh, Toolpath, Wireframe, _Layered
-    from wireprint.settings import Printer, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.printer import Printer
     from wireprint.standing import Standing
     from wireprint.verdict import Point
 

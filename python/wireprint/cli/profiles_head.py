@@ -18,7 +18,8 @@ from wireprint.streams import STREAM
 
 if TYPE_CHECKING:
     from wireprint.heads.measures import Measure
-    from wireprint.settings import Head, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.head import Head
 
 
 @click.command("head")

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
 if TYPE_CHECKING:
-    from wireprint.settings import Cooling, Gcode
+    from wireprint.settings.printer import Cooling, Gcode
 
 #: What viewers read at a change of layer, in PrusaSlicer's form.
 LAYER: Final = (

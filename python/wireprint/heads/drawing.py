@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from wireprint.heads.measures import MEASURES
 
 if TYPE_CHECKING:
-    from wireprint.settings import Head, HeadBox, HeadCylinder
+    from wireprint.settings.head import Head, HeadBox, HeadCylinder
 
 #: Size of the drawing, and of what is drawn to scale in it, px.
 _WIDTH, _HEIGHT, _REACH_PX = 720, 460, 250

@@ -15,7 +15,8 @@ from wireprint._core import SettingError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from wireprint.settings import Head, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.head import Head
 
 #: Teeth are so many degrees apart, and this many of them lie below and above the profile's angle.
 #: Of 3 mm, the flank bends a tooth by 0.3 mm at 32° if it is one step flatter than the tooth.

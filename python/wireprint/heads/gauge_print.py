@@ -13,7 +13,8 @@ from wireprint.heads.gauge_path import Path, drawn
 from wireprint.pipeline import to_gcode
 
 if TYPE_CHECKING:
-    from wireprint.settings import Bed, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.printer import Bed
 
 #: Added to a printer's name: its head is not the one that the file supposes.
 SUPPOSES: Final = "{}, as its gauge supposes"

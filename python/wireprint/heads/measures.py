@@ -14,7 +14,8 @@ from wireprint.rules import faults_of
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from wireprint.settings import Head, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.head import Head
 
 
 @dataclass(frozen=True)

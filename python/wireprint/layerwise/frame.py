@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Mesh
-    from wireprint.settings import Frame
+    from wireprint.settings.layers import Frame
 
     Floats = npt.NDArray[np.float64]
 

@@ -10,7 +10,9 @@ from wireprint.layerwise.moves import Rates
 from wireprint.layerwise.shells import Shells
 
 if TYPE_CHECKING:
-    from wireprint.settings import LayerProfile, Printer, Settings
+    from wireprint.settings import Settings
+    from wireprint.settings.layers import LayerProfile
+    from wireprint.settings.printer import Printer
 
 
 @dataclass(frozen=True)
