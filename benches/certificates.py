@@ -7,8 +7,8 @@ from statistics import median
 
 import shared_models
 from wireprint.bench import figures
+from wireprint.duration import duration
 from wireprint.pipeline import make
-from wireprint.timing import clock
 
 BREACHES = (
     "collisions",
@@ -28,7 +28,7 @@ COLUMNS = {
     "coverage": lambda row: f"{row['coverage']:.1%}",
     "deviation, mm": lambda row: f"{row['deviation_mm']:.2f}",
     "as chords, mm": lambda row: f"{row['chord_deviation_mm']:.2f}",
-    "time": lambda row: clock(row["print_time_s"]),
+    "time": lambda row: duration(row["print_time_s"]),
     "× plain": lambda row: f"{row['plain_ratio']:.2f}",
     "strand, m": lambda row: f"{row['strand_mm'] / 1000:.1f}",
     "supports, m": lambda row: f"{row['support_mm'] / 1000:.2f}",

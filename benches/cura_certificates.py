@@ -18,7 +18,8 @@ import certificates
 import shared_models
 from wireprint._core import UnprintableError
 from wireprint.certificate import check
-from wireprint.timing import clock, estimate
+from wireprint.duration import duration
+from wireprint.timing import estimate
 
 #: The nozzle's angle from the horizontal: what CuraEngine assumes unless told (the default of
 #: machine_nozzle_expansion_angle), and the Kossel Mini's, which we print with.
@@ -33,7 +34,7 @@ COLUMNS = {
     "coverage": lambda row: f"{row['coverage']:.1%}",
     "deviation, mm": lambda row: f"{row['deviation_mm']:.2f}",
     "as chords, mm": lambda row: f"{row['chord_deviation_mm']:.2f}",
-    "time": lambda row: clock(row["print_time_s"]),
+    "time": lambda row: duration(row["print_time_s"]),
     "computed in, s": lambda row: f"{row['run_s']:.2f}",
 }
 PAGE = """# CuraEngine's wire prints of the shared models

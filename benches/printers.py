@@ -27,7 +27,7 @@ import print_files
 from wireprint import Settings, catalogue, make, profile_text
 from wireprint._core import WireprintError
 from wireprint.certificate import check
-from wireprint.timing import clock
+from wireprint.duration import duration
 
 NOZZLES_MM = (0.4, 0.6, 0.8)
 MODELS = ("cube", "bottle", "mug")
@@ -84,7 +84,7 @@ def row(printer, nozzles_mm, found):
     estimates = sum("# estimate" in line for line in lines)
     times = (
         "<br>".join(
-            "–" if (time_s := found[printer, nozzle_mm, model]) is None else clock(time_s)
+            "–" if (time_s := found[printer, nozzle_mm, model]) is None else duration(time_s)
             for model in MODELS
         )
         for nozzle_mm in nozzles_mm
@@ -110,7 +110,10 @@ def main():
             found[task] = None if wrong else time_s
             faults, ran = faults + bool(wrong), ran + by_klipper
             print(
-                *task, clock(time_s) if time_s else "-", *(f"WRONG: {w}" for w in wrong), flush=True
+                *task,
+                duration(time_s) if time_s else "-",
+                *(f"WRONG: {w}" for w in wrong),
+                flush=True,
             )
     heads = [f"{nozzle_mm:g} mm" for nozzle_mm in options.nozzles]
     columns = ["printer", "firmware", *heads, "pictures", "estimates"]

@@ -13,12 +13,12 @@ from scipy.spatial import cKDTree
 import shared_models
 from wireprint import examples
 from wireprint._core import KINDS
+from wireprint.duration import duration
 from wireprint.hybrid.sketch import Sketch
 from wireprint.mesh import load_mesh
 from wireprint.pipeline import make
 from wireprint.regions import Box, HalfSpace, Region, Sphere, ZRange
 from wireprint.settings import Settings
-from wireprint.timing import clock
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = """# Layers where detail is wanted: what they cost and what they gain
@@ -131,8 +131,8 @@ def shares(name, mesh):
         expected = wire + layers * (solid - wire)
         wires = stays(made, area) if made.regions else "–"
         yield (
-            f"| {name} | {percent} % | {100 * layers:.0f} % | {clock(made.estimate.total_s)} "
-            f"| {clock(expected)} | {breaches(made)} | {wires} |"
+            f"| {name} | {percent} % | {100 * layers:.0f} % | {duration(made.estimate.total_s)} "
+            f"| {duration(expected)} | {breaches(made)} | {wires} |"
         )
 
 
@@ -144,7 +144,7 @@ def detail(name, mesh, called, region):
     inside = runs.of_sample >= 0
     far = [distances(print_, samples.middle) for print_ in (plain, made)]
     near, apart = ([f"{np.mean(d[part]):.2f}" for d in far] for part in (inside, ~inside))
-    times = " → ".join(clock(print_.estimate.total_s) for print_ in (plain, made))
+    times = " → ".join(duration(print_.estimate.total_s) for print_ in (plain, made))
     marked = samples.area[inside].sum()
     return (
         f"| {name} | {called} | {len(runs.runs)} | {times} | {' → '.join(near)} "

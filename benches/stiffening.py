@@ -10,10 +10,10 @@ import sys
 
 import shared_models
 from wireprint.bench.local import cores
+from wireprint.duration import duration
 from wireprint.forecast import simulate
 from wireprint.pipeline import make
 from wireprint.stiffening import stiffened
-from wireprint.timing import clock
 
 MACHINES = ("kossel-mini/abs", "prusa-mk4s/pla")
 PAGE = """# Prints that would give way
@@ -59,7 +59,7 @@ COLUMNS = {
         f"{millimetres(row['before_mm'])} → {millimetres(row['after_mm'])}"
     ),
     "limit": lambda row: millimetres(row["limit_mm"]),
-    "time": lambda row: f"{clock(row['time_before_s'])} → {clock(row['time_after_s'])}",
+    "time": lambda row: f"{duration(row['time_before_s'])} → {duration(row['time_after_s'])}",
     "with": lambda row: row["with"].replace("wire.", ""),
 }
 
@@ -73,7 +73,7 @@ def told(machine, rows):
     before, after = (sum(row[key] for row in judged) for key in ("time_before_s", "time_after_s"))
     return (
         f"- {machine}: of {len(judged)} prints {over[0]} → {over[1]} are pulled aside by more than "
-        f"half a strand; all together take {clock(before)} → {clock(after)}.\n"
+        f"half a strand; all together take {duration(before)} → {duration(after)}.\n"
     )
 
 

@@ -23,8 +23,8 @@ from statistics import median
 import shared_models
 import sturdiness_goals
 from certificates import BREACHES
+from wireprint.duration import duration
 from wireprint.pipeline import make
-from wireprint.timing import clock
 
 MACHINES = ("kossel-mini/abs", "prusa-mk4s/pla", "voron-2.4/abs", "printrbot-simple/pla")
 #: Moduli of the materials, MPa, as the tool has them.
@@ -57,7 +57,7 @@ SHOWN = {
     "worst": ("tip_worst_mm_n", "{:.0f}".format),
     "pinch x, N/mm": ("pinch_x_n_mm", "{:.3g}".format),
     "pinch y": ("pinch_y_n_mm", "{:.3g}".format),
-    "time": ("print_time_s", clock),
+    "time": ("print_time_s", duration),
     "coverage": ("coverage", "{:.1%}".format),
     "breaches": ("breaches", "{:.0f}".format),
 }

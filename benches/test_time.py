@@ -49,7 +49,8 @@ def test_four_cores_time_files_two_and_a_half_times_as_fast(benchmark, text, tmp
         path.write_bytes(text)
     script = (
         "import sys, time\n"
-        "from wireprint.timing import Choice, estimate_files\n"
+        "from wireprint.timed_machine import Choice\n"
+        "from wireprint.timing import estimate_files\n"
         "choice = Choice(printer='prusa-mk4s', firmware='klipper')\n"
         "times = []\n"
         "for _ in range(5):\n"

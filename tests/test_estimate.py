@@ -11,10 +11,12 @@ from hypothesis import strategies as st
 
 from wireprint import catalogue, limits
 from wireprint._core import GcodeError, SettingError
+from wireprint.duration import duration
 from wireprint.gcode.document import footer
 from wireprint.gcode.origin import stated_time_s
 from wireprint.settings import Settings
-from wireprint.timing import Allowances, Choice, clock, estimate, estimate_files
+from wireprint.timed_machine import Choice
+from wireprint.timing import Allowances, estimate, estimate_files
 
 MACHINE = {
     "kinematics": "cartesian",
@@ -211,7 +213,7 @@ def test_a_delta_and_a_cartesian_machine_can_be_compared():
     [(0, "0:00"), (59.6, "1:00"), (146.2, "2:26"), (3600, "1:00:00"), (7147, "1:59:07")],
 )
 def test_a_clock_is_read_as_people_read_it(seconds, text):
-    assert clock(seconds) == text
+    assert duration(seconds) == text
 
 
 @pytest.mark.parametrize("told", ["9" * 400 + "d", "9" * 400, " ", "h", "99999999999999d 1s"])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from typing import TYPE_CHECKING, Final
 
-from wireprint.timing import clock
+from wireprint.duration import duration
 
 if TYPE_CHECKING:
     from wireprint.comparison import Comparison
@@ -50,7 +50,7 @@ def png(comparison: Comparison, title: str) -> bytes:
     image = Image.new("RGB", (_WIDTH, height), _PAPER)
     draw = ImageDraw.Draw(image)
     draw.text((_MARGIN, _MARGIN + _ROW / 2), title, _INK, font, anchor="lm")
-    values = [f"{clock(row.print_time_s)}  ({row.speedup:.1f} x)" for row in rows]
+    values = [f"{duration(row.print_time_s)}  ({row.speedup:.1f} x)" for row in rows]
     left = 2 * _MARGIN + max(draw.textlength(row.condition, font) for row in rows)
     room = _WIDTH - _MARGIN - _GAP - left - max(draw.textlength(value, font) for value in values)
     longest_s = max(row.print_time_s for row in rows)

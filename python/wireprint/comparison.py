@@ -8,8 +8,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import MemoryLimitError, ModelError, SettingError, UnprintableError
+from wireprint.filament import Filament
 from wireprint.gcode import document
-from wireprint.timing import Filament
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable

@@ -6,7 +6,7 @@ import base64
 import html
 from typing import TYPE_CHECKING, Any, Final
 
-from wireprint.timing import clock
+from wireprint.duration import duration
 from wireprint.view import render_png
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def page(shown: Source, told: str) -> str:
 
 def told(figures: dict[str, Any]) -> str:
     """Say time, filament and verdict of a print in one line; figures as ``--json`` has them."""
-    parts = [clock(figures["print_time_s"]), f"{figures['filament_g']:.1f} g"]
+    parts = [duration(figures["print_time_s"]), f"{figures['filament_g']:.1f} g"]
     if "certified" in figures:
         broken = {name: count for name, count in figures["breaches"].items() if count}
         said = ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in broken.items())

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import WireprintError
 from wireprint.certificate import check
+from wireprint.duration import duration
 from wireprint.fitting import fits, placed
 from wireprint.gcode import document
 from wireprint.stages import toolpath, wireframe
 from wireprint.threads import workers
-from wireprint.timing import clock
 
 if TYPE_CHECKING:
     from wireprint._core import Mesh
@@ -30,7 +30,7 @@ _FIGURES: Final[tuple[tuple[str, str, Callable[[float], str]], ...]] = (
     ("unprinted_mm2", "not printed", lambda area: f"{area:.0f} mm²"),
     ("uncovered_mm2", "not covered", lambda area: f"{area:.0f} mm²"),
     ("support_mm", "support", lambda length: f"{length / 1000:.2f} m"),
-    ("print_time_s", "time", clock),
+    ("print_time_s", "time", duration),
 )
 #: Differences up to these are none: shares of the surface, a length of support, a share of the
 #: time. Rounding, and seams that lie elsewhere, turn no model.

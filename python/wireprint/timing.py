@@ -5,16 +5,15 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import asdict, dataclass, field
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import _core
-from wireprint import limits as motion_limits
 from wireprint._core import GcodeError, SettingError
+from wireprint.duration import duration
 from wireprint.gcode.origin import stated_time_s
 from wireprint.gcode.source import NO_GCODE, TEXT, kind_of, read
-from wireprint.naming import named
+from wireprint.timed_machine import Choice, Machine
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -22,8 +21,7 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
-    from wireprint.limits import Firmware, MotionTable
-    from wireprint.settings import Settings
+    from wireprint.limits import Firmware
 
 
 #: More than the settings at a file's end take, and what other programs say at its beginning.
@@ -58,32 +56,6 @@ class Allowances:
         for key, seconds in asdict(self).items():
             if not (math.isfinite(seconds) and seconds >= 0):
                 raise SettingError(f"{key} is {seconds}; it must be finite and not negative")
-
-
-@dataclass(frozen=True, slots=True)
-class Filament:
-    """What weight and cost are computed from."""
-
-    diameter_mm: float
-    density_g_cm3: float
-    price_per_kg: float
-
-    @classmethod
-    def of(cls, settings: Settings) -> Filament:
-        """Return the filament of a printer and a material."""
-        return cls(
-            settings.printer.extruder.filament_diameter_mm,
-            settings.material.density_g_cm3,
-            settings.material.price_per_kg,
-        )
-
-    def grams(self, length_mm: float) -> float:
-        """Weight of a length of filament, g."""
-        return math.pi / 4 * self.diameter_mm**2 * length_mm * self.density_g_cm3 / 1000
-
-    def cost(self, length_mm: float) -> float:
-        """Price of a length of filament, in the currency of the material's profile."""
-        return self.grams(length_mm) / 1000 * self.price_per_kg
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +132,7 @@ class Estimate:
 
     def __repr__(self) -> str:
         """Say how long it takes."""
-        return f"<Estimate {clock(self.total_s)}, {self.filament_g:.1f} g, {self.moves} moves>"
+        return f"<Estimate {duration(self.total_s)}, {self.filament_g:.1f} g, {self.moves} moves>"
 
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -286,118 +258,6 @@ def _of_text(text: bytes, name: str, choice: Choice, options: dict[str, Any]) ->
     # A search of all of it would take longer than the estimate.
     ends = text[:_END_BYTES] + text[max(_END_BYTES, len(text) - _END_BYTES) :]
     return _checked(found, name, machine, ends)
-
-
-@dataclass(frozen=True, slots=True)
-class Machine:
-    """What a file is timed on."""
-
-    limits: MotionTable
-    firmware: Firmware
-    filament: Filament
-    #: Profile that the limits are from, and why it was chosen.
-    printer: str | None
-    why: str
-
-
-@dataclass(frozen=True)
-class Choice:
-    """What is known of the machine; what is None follows from the file, as for `estimate`."""
-
-    limits: Mapping[str, Any] | str | None = None
-    printer: str | None = None
-    material: str | None = None
-    firmware: Firmware | None = None
-
-    def machine(self, text: bytes, name: str = TEXT) -> Machine:
-        """Return the machine for a file, given at least its beginning and its end.
-
-        There programs write for which printer it is.
-
-        Raises
-        ------
-        GcodeError
-            The settings at its end are damaged.
-        SettingError
-            A profile or limit is wrong.
-        """
-        if self.limits is not None and self.printer is not None:
-            raise SettingError("limits and printer exclude each other")
-        if self.material is not None and self._limits is not None:
-            return self._named
-        from wireprint.gcode.origin import known_printer
-        from wireprint.gcode.own_settings import settings_in
-
-        with named(None if name == TEXT else name):
-            try:
-                own = settings_in(text)
-            except GcodeError:
-                if name != TEXT:
-                    # Once more over the whole file, which tells the line as it is counted there.
-                    settings_in(Path(name).read_bytes())
-                raise
-        if own is not None:
-            return self._machine(own, "as the file says")
-        if self._limits is not None:
-            return self._named
-        known = known_printer(text)
-        return self._default if known is None else self._foreign(*known)
-
-    @cached_property
-    def _limits(self) -> MotionTable | None:
-        """Limits that do not depend on the file."""
-        if self.limits is None:
-            return None if self.printer is None else motion_limits.of_printer(self._known.printer)
-        if isinstance(self.limits, str):
-            return motion_limits.of_file(self.limits)
-        return motion_limits.of_mapping(self.limits)
-
-    @cached_property
-    def _known(self) -> Settings:
-        """Settings of a file that states none."""
-        return self._loaded(self.printer)
-
-    def _loaded(self, printer: str | None) -> Settings:
-        from wireprint.settings import Settings
-
-        given: dict[str, Any] = {"printer": printer, "material": self.material}
-        return Settings.load(**{name: value for name, value in given.items() if value is not None})
-
-    @cached_property
-    def _named(self) -> Machine:
-        return self._machine(self._known, "as named")
-
-    @cached_property
-    def _default(self) -> Machine:
-        return self._machine(self._known, "by default: the file names no printer that is known")
-
-    def _foreign(self, printer: str, written: str) -> Machine:
-        """Return the machine of a file of another program that names it."""
-        return self._machine(self._loaded(printer), f"as the file says ({written})")
-
-    def _machine(self, settings: Settings, why: str) -> Machine:
-        """Return the machine of a file's settings, as far as nothing else was chosen."""
-        printer = settings.printer if self.printer is None else self._known.printer
-        material = settings.material if self.material is None else self._known.material
-        its_own = "klipper" if self.limits is not None else motion_limits.firmware_of(printer)
-        filament = Filament(
-            printer.extruder.filament_diameter_mm, material.density_g_cm3, material.price_per_kg
-        )
-        chosen = self._limits
-        return Machine(
-            motion_limits.of_printer(printer) if chosen is None else chosen,
-            self.firmware or its_own,
-            filament,
-            None if self.limits is not None else printer.name,
-            why if chosen is None else "as named",
-        )
-
-
-def clock(seconds: float) -> str:
-    """Write a time as people read it: ``2:26`` or ``1:59:07``."""
-    minutes, rest = divmod(round(seconds), 60)
-    hours, minutes = divmod(minutes, 60)
-    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
 
 
 def _options(allowances: Allowances, per_move: bool) -> dict[str, Any]:

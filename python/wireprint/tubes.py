@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from wireprint._core import SettingError
-from wireprint.certificate import ASIDE
+from wireprint.fidelity import ASIDE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
-from wireprint import report
+from wireprint import report, report_regions
+from wireprint.filament import Filament
 from wireprint.slimness import strand_of
-from wireprint.timing import Filament
 from wireprint.wholeness import is_whole
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class WirePrint:
             "repaired": report.repairs(self.mesh),
             "unprinted": self.unprinted(),
             "weak": None if self.weak is None else [asdict(place) for place in self.weak],
-            "regions": None if self.regions is None else report.regions(self.regions),
+            "regions": None if self.regions is None else report_regions.regions(self.regions),
             "warnings": [*report.warnings(self.mesh), *report.slowed(self.settings)],
             "timings_s": self.timings_s,
         }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from typing import TYPE_CHECKING, Final
 
-from wireprint.timing import clock
+from wireprint.duration import duration
 
 if TYPE_CHECKING:
     from wireprint.budget import Budgeted
@@ -66,14 +66,14 @@ def png(found: Budgeted, title: str) -> bytes:
         x, y = place(most_s * tick / _TICKS, most_mm * tick / _TICKS)
         draw.line((x, _TOP, x, _HEIGHT - _BOTTOM), _GRID)
         draw.line((_LEFT, y, _WIDTH - _RIGHT, y), _GRID)
-        draw.text((x, _HEIGHT - _BOTTOM + 8), clock(most_s * tick / _TICKS), _INK, font, "ma")
+        draw.text((x, _HEIGHT - _BOTTOM + 8), duration(most_s * tick / _TICKS), _INK, font, "ma")
         draw.text((_LEFT - 8, y), f"{most_mm * tick / _TICKS:.2f}", _INK, font, anchor="rm")
     draw.text((_WIDTH - _RIGHT, _HEIGHT - 14), "print time", _INK, font, anchor="rs")
     draw.text((8, _TOP - 14), "deviation, mm", _INK, font, anchor="ls")
     if found.budget.time_s is not None:
         x, _ = place(found.budget.time_s, 0)
         draw.line((x, _TOP, x, _HEIGHT - _BOTTOM), _ACCENT, 2)
-        draw.text((x - 6, _TOP + 4), f"budget {clock(found.budget.time_s)}", _ACCENT, font, "ra")
+        draw.text((x - 6, _TOP + 4), f"budget {duration(found.budget.time_s)}", _ACCENT, font, "ra")
     gives = [one.give_mm for one in found.front]
     low, high = min(gives), max(gives)
     for one in found.front:
@@ -85,7 +85,7 @@ def png(found: Budgeted, title: str) -> bytes:
         if one.chosen:
             ring = 2 * _DOT
             draw.ellipse((x - ring, y - ring, x + ring, y + ring), outline=_ACCENT, width=3)
-            text = f"{clock(one.print_time_s)}, {one.deviation_mm:.2f} mm"
+            text = f"{duration(one.print_time_s)}, {one.deviation_mm:.2f} mm"
             draw.text((x, y - ring - 4), text, _ACCENT, font, anchor="ms")
     buffer = io.BytesIO()
     image.save(buffer, "PNG", optimize=True)

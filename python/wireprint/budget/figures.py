@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from wireprint._core import SettingError, UnprintableError
-from wireprint.timing import clock
+from wireprint.duration import duration
 
 
 class BudgetError(UnprintableError):
@@ -47,7 +47,7 @@ class Budget:
 
     def __str__(self) -> str:
         """Say what it is."""
-        parts = [] if self.time_s is None else [clock(self.time_s)]
+        parts = [] if self.time_s is None else [duration(self.time_s)]
         parts += [] if self.filament_g is None else [f"{self.filament_g:g} g"]
         return " and ".join(parts) or "no limit"
 

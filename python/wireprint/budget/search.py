@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import _core
 from wireprint._core import UnprintableError, WireprintError
 from wireprint.budget.figures import Alternative, Budget, BudgetError
+from wireprint.duration import duration
+from wireprint.filament import Filament
 from wireprint.pipeline import make
 from wireprint.rules import rules_of
 from wireprint.threads import workers
-from wireprint.timing import Filament, clock
 from wireprint.wholeness import is_whole
 
 if TYPE_CHECKING:
@@ -225,7 +226,7 @@ class Search:
                 sets = "".join(f" --set {override}" for override in _overrides(found.knobs))
                 return BudgetError(
                     f"no print keeps within {self.budget}: the least that is certified, of "
-                    f"{len(self.tried)} that were tried, takes {clock(found.print_time_s)} and "
+                    f"{len(self.tried)} that were tried, takes {duration(found.print_time_s)} and "
                     f"{found.filament_g:.1f} g (with{sets or ' the settings as they are'}); a "
                     "smaller --scale takes less"
                 )

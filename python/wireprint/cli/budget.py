@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 import click
 
 from wireprint.cli.paths import OutputName
-from wireprint.timing import clock
+from wireprint.duration import duration
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
@@ -136,7 +136,7 @@ def table(found: Mapping[str, Any]) -> Iterator[str]:
         mark = "→" if one["chosen"] else " " if one["within"] else "✗"
         sets = " ".join(one["overrides"]) or "as set"
         yield (
-            f"  {mark} {clock(one['print_time_s']):>8} {one['filament_g']:6.2f} "
+            f"  {mark} {duration(one['print_time_s']):>8} {one['filament_g']:6.2f} "
             f"{one['deviation_mm']:7.3f} {one['give_mm']:9.3f} {one['coverage']:8.1%}  {sets}"
         )
     by = {

@@ -45,14 +45,14 @@ def _command(name: Print) -> click.Command:
     )
     def write(output: str, **options: Any) -> None:
         from wireprint.calibration.prints import printed
-        from wireprint.timing import clock
+        from wireprint.duration import duration
 
         chosen = chosen_from(options)
         settings = chosen.settings()
         target = files.output(output, f"{name}.gcode", files.GCODE_SUFFIXES, chosen.files)
         made = printed(name, settings)
         target.write(made.gcode)
-        takes = clock(made.takes_s)
+        takes = duration(made.takes_s)
         machine = f"{settings.printer.name} with {settings.material.name}"
         say_all(
             [f"{target}: {name}, {takes} on {machine}", *(f"  {word}" for word in made.words)],

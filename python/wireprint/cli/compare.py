@@ -96,7 +96,7 @@ def _show(found: Comparison, *, to_stderr: bool) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from wireprint.timing import clock
+    from wireprint.duration import duration
 
     longest_s = max(row.print_time_s for row in found.conditions)
     table = Table(box=box.SIMPLE_HEAD)
@@ -107,7 +107,7 @@ def _show(found: Comparison, *, to_stderr: bool) -> None:
     for row in found.conditions:
         table.add_row(
             row.condition,
-            clock(row.print_time_s),
+            duration(row.print_time_s),
             f"{row.filament_g:.1f} g",
             f"{row.speedup:.1f}×",
             "█" * max(1, round(_BAR * row.print_time_s / longest_s)),

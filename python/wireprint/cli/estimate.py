@@ -9,8 +9,10 @@ import click
 from wireprint.cli.amounts import Amount
 from wireprint.cli.paths import InputFile
 from wireprint.cli.say import say, say_json
+from wireprint.duration import duration
 from wireprint.limits import FIRMWARES, Firmware
-from wireprint.timing import Allowances, Choice, Estimate, clock, estimate_files
+from wireprint.timed_machine import Choice
+from wireprint.timing import Allowances, Estimate, estimate_files
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -82,20 +84,21 @@ def estimate(
     for path, one in zip(files, estimates, strict=True):
         _show(path, one)
     if len(files) > 1:
-        say(f"all: {clock(sum(one.total_s for one in estimates))}")
+        say(f"all: {duration(sum(one.total_s for one in estimates))}")
 
 
 def _show(path: Path, one: Estimate) -> None:
     machine = "limits" if one.printer is None else one.printer
-    say(f"{path}: {clock(one.total_s)} ({one.total_s:.1f} s, {one.firmware}, {machine} {one.why})")
+    by = f"{one.firmware}, {machine} {one.why}"
+    say(f"{path}: {duration(one.total_s)} ({one.total_s:.1f} s, {by})")
     if one.stated_s:
         share = one.total_s / one.stated_s - 1
-        say(f"  the program that wrote it says {clock(one.stated_s)}: {share:+.0%}")
+        say(f"  the program that wrote it says {duration(one.stated_s)}: {share:+.0%}")
     rows = dict(sorted(one.by_feature.items(), key=lambda row: -row[1]))
     rows |= {"homing": one.homing_s, "heating": one.heating_s, "tool changes": one.tool_change_s}
     for name, seconds in rows.items():
         if seconds > 0:
-            say(f"  {name:24} {clock(seconds):>8} {seconds / one.total_s:6.1%}")
+            say(f"  {name:24} {duration(seconds):>8} {seconds / one.total_s:6.1%}")
     say(
         f"  filament: {one.filament_mm:.0f} mm, {one.filament_g:.1f} g, "
         f"cost {one.filament_cost:.2f}; layers: {len(one.by_layer)}"

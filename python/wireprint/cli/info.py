@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from wireprint.orientation import Orientation
-    from wireprint.report import Marked
+    from wireprint.report_regions import Marked
     from wireprint.threemf.contents import Contents
 
 
@@ -35,12 +35,12 @@ def info(model: Path, as_json: bool, orient: bool, **options: Any) -> None:
     With --orient auto also: how it would print in several poses, the best of which is described.
     Settings count for that alone.
     """
-    from wireprint import report
+    from wireprint import report, report_regions
 
     chosen, marks = chosen_from(options), marks_from(options, [model])
     loaded = marks.load(model, options)
     settings, mesh = chosen.of(loaded), loaded.mesh
-    marked = report.marks(mesh, loaded.region)
+    marked = report_regions.marks(mesh, loaded.region)
     turned = None
     if orient:
         from wireprint.orientation import orient as best

@@ -63,12 +63,12 @@ def order(
     for name, suffixes in ((graph_out, _GRAPHS), (frames_out, _FRAMES)):
         default = f"{graph.stem}.ordered{suffixes[0]}"
         others.append(None if name is None else files.output(name, default, suffixes, inputs))
+    from wireprint.duration import duration
     from wireprint.gcode.document import dated
     from wireprint.struts import order as ordered
     from wireprint.struts import read_struts, struts_as
     from wireprint.struts.frames import as_csv
     from wireprint.struts.frames import as_json as frames_json
-    from wireprint.timing import clock
 
     settings = chosen.settings()
     with_supports = settings.wire.supports == "wire"
@@ -96,7 +96,7 @@ def order(
         say_json(figures, err=to_stderr)
         return
     say(
-        f"{target}: {clock(found.print_time_s)} on {settings.printer.name}, "
+        f"{target}: {duration(found.print_time_s)} on {settings.printer.name}, "
         f"{figures['struts']} struts, {figures['floating']} of them to a free end: certified",
         err=to_stderr,
     )

@@ -8,8 +8,8 @@ import time
 from typing import TYPE_CHECKING
 
 from wireprint.cli.say import say
+from wireprint.duration import duration
 from wireprint.text import one_line
-from wireprint.timing import clock
 
 if TYPE_CHECKING:
     from typing import Self
@@ -71,7 +71,7 @@ class Progress:
             self._told_s = now_s
             say(
                 f"{self._done} of {self._total} models, {self._failed} failed, "
-                f"{clock(now_s - self._begin_s)}",
+                f"{duration(now_s - self._begin_s)}",
                 err=True,
             )
 

@@ -73,11 +73,11 @@ def splice(
         output, f"{model.stem}.gcode", files.GCODE_SUFFIXES, [layers, model, *chosen.files]
     )
     from wireprint._core import UnprintableError
+    from wireprint.duration import duration
     from wireprint.gcode.source import read
     from wireprint.mesh import load_mesh
     from wireprint.report import breaches
     from wireprint.splicing import splice as spliced
-    from wireprint.timing import clock
 
     settings = chosen.settings()
     text, name = read(layers)
@@ -117,7 +117,7 @@ def splice(
     verdict = "certified" if found.certificate.ok else "not certified"
     heights = ", ".join(f"{height:.1f}" for height in found.heights_mm)
     say(
-        f"{target}: {clock(found.print_time_s)} on {settings.printer.name}: {verdict}",
+        f"{target}: {duration(found.print_time_s)} on {settings.printer.name}: {verdict}",
         err=to_stderr,
     )
     say(f"  wire at     {heights} mm", err=to_stderr)

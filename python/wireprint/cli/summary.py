@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from wireprint import slimness
-from wireprint.timing import clock
+from wireprint.duration import duration
 from wireprint.weakness import Weak
 from wireprint.wholeness import told
 
@@ -19,7 +19,10 @@ _WEAK = 5
 def lines(figures: Mapping[str, Any]) -> list[str]:
     """Return what ``wireprint slice`` prints about one model."""
     machine = f"{figures['printer']} with {figures['material']}"
-    return [f"{figures['output']}: {clock(figures['print_time_s'])} on {machine}", *_rows(figures)]
+    return [
+        f"{figures['output']}: {duration(figures['print_time_s'])} on {machine}",
+        *_rows(figures),
+    ]
 
 
 def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
@@ -40,7 +43,7 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
     yield _row("filament", f"{figures['filament_mm']:.0f} mm, {figures['filament_g']:.1f} g")
     yield _row(
         "time",
-        f"{clock(figures['print_time_s'])}, {clock(figures['pause_s'])} of it "
+        f"{duration(figures['print_time_s'])}, {duration(figures['pause_s'])} of it "
         f"in {figures['pauses']} pauses",
     )
     if "coverage" in figures:
@@ -82,12 +85,12 @@ def _of_stiffening(stiffer: Mapping[str, Any]) -> Iterator[str]:
     grips = ""
     if stiffer["bears_after_n"] is not None:
         grips = f"; bears {stiffer['bears_before_n']:.2g} → {stiffer['bears_after_n']:.2g} N"
+    took = " → ".join(duration(stiffer[f"print_time_{when}_s"]) for when in ("before", "after"))
     enough = "" if stiffer["enough"] else "; that does not suffice yet"
     yield _row("stiffer", f"with {sets}, found among {stiffer['tried']} prints that were tried")
     yield _row(
         "",
-        f"strands are pulled aside by {before:.2g} → {after:.2g} mm{grips}, in "
-        f"{clock(stiffer['print_time_before_s'])} → {clock(stiffer['print_time_after_s'])}{enough}",
+        f"strands are pulled aside by {before:.2g} → {after:.2g} mm{grips}, in {took}{enough}",
     )
 
 

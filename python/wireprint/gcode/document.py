@@ -21,10 +21,10 @@ from wireprint._core import (
     format_moves,
     insert_progress,
 )
+from wireprint.filament import Filament
 from wireprint.gcode import own_settings, sequence
 from wireprint.gcode.flavors import FLAVORS, LAYER
 from wireprint.text import one_line
-from wireprint.timing import Filament
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping

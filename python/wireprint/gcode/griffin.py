@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from wireprint._core import __version__
-from wireprint.timing import Filament
+from wireprint.filament import Filament
 
 if TYPE_CHECKING:
     from datetime import datetime

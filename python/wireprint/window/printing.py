@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from wireprint import report
+from wireprint import report, report_regions
 from wireprint.clock import Clock
 from wireprint.pipeline import make
 from wireprint.wholeness import is_whole, shortfall
@@ -145,7 +145,7 @@ def _regions(made: WirePrint) -> dict[str, Any] | None:
     """Tell what of the marks is not printed as layers, and how much is."""
     if made.regions is None:
         return None
-    found = report.regions(made.regions)
+    found = report_regions.regions(made.regions)
     return {
         "area_mm2": found["area_mm2"],
         "filled_mm3": found["filled_mm3"],
