@@ -14,7 +14,7 @@ use wireprint_core::head::Head;
 use wireprint_core::mesh::Mesh;
 use wireprint_core::wireframe::params::WireParams;
 use wireprint_core::wireframe::plan::columns::{Need, add};
-use wireprint_core::wireframe::plan::sliced::Sliced;
+use wireprint_core::wireframe::plan::sliced::{Column, Sliced};
 
 fn head() -> Head {
     Printer::paper().head
@@ -140,6 +140,24 @@ fn where_more_is_wanted_at_the_level_that_a_column_ends_at_another_one_rises_bes
         assert!(column.first < level && column.level == level, "{column:?}");
     }
     assert!(one.place.distance(other.place) > 8.0);
+}
+
+#[test]
+fn a_face_is_carried_where_other_columns_begin_on_it() {
+    // A shelf over another one, and a wanted place over each underside, a little apart.
+    let shelf =
+        |low: f64, high: f64| cuboid(DVec3::new(-60.0, -60.0, low), DVec3::new(60.0, 60.0, high));
+    let mut propped = sliced(&together(&[shelf(0.0, 10.0), shelf(20.0, 40.0)]));
+    let levels: Vec<f64> = propped.levels.iter().map(|l| l.z).collect();
+    let level = |z: f64| levels.iter().position(|l| (l - z).abs() < 0.7).unwrap();
+    let (under, top) = (level(20.0), level(40.0));
+    let need = |level, x: f64| Need { level, place: DVec2::new(x, 0.0), urgent: true };
+    for apart in [0.0, 3.0, 6.0, 12.0] {
+        assert!(add(&mut propped, &[need(top, 0.0), need(under, apart)], &[], &head(), &wire()));
+        let is_under = |c: &Column| c.level == under && c.place == DVec2::new(apart, 0.0);
+        assert!(propped.columns.iter().any(is_under), "{apart}: {:?}", propped.columns);
+        propped.columns.clear();
+    }
 }
 
 #[test]

@@ -37,11 +37,7 @@ impl Shown {
             below.chain([Plane { z: level.high, side: Side::Above }]).map(move |p| (number, p))
         });
         let (numbers, planes): (Vec<usize>, Vec<Plane>) = cuts.unzip();
-        let cut = cut_map(mesh, &planes, |loops| {
-            let rings = rings(&loops);
-            let segments = segments(&loops, &rings);
-            (rings, segments)
-        });
+        let cut = cut_map(mesh, &planes, |loops| (rings(&loops), segments(&loops)));
         let parts = cut.into_iter().zip(numbers.into_iter().zip(planes));
         let slice = |((rings, segments), (level, plane))| Self { plane, level, rings, segments };
         let mut all: Vec<Self> = parts.map(slice).collect();
@@ -79,16 +75,12 @@ fn holds(rings: &[Vec<DVec2>], place: DVec2) -> bool {
     polygon::is_within(rings.iter().map(Vec::as_slice), place)
 }
 
-/// The outlines without the slits that have no width, as a bore leaves at its very bottom: what lies on
-/// both sides of one is printed as a whole.
-fn segments(loops: &[Loop], rings: &[Vec<DVec2>]) -> Segments {
+/// The outlines without what has no width: the slit that a bore leaves at its very bottom, with the same
+/// solid on both sides, and the hair that a ridge is at its very top, with none.
+fn segments(loops: &[Loop]) -> Segments {
     let all: Vec<[DVec2; 2]> = loops.iter().flat_map(Loop::segments).collect();
-    let is_slit = |(&[a, b], doubled): (&[DVec2; 2], bool)| {
-        let left = (b - a).perp().normalize_or_zero() * ASIDE;
-        doubled && holds(rings, a.midpoint(b) + left)
-    };
-    let kept = all.iter().zip(doubled(&all)).filter(|at| !is_slit(*at)).map(|(ends, _)| *ends);
-    Segments::new(&kept.collect::<Vec<_>>())
+    let kept = all.iter().zip(doubled(&all)).filter(|(_, doubled)| !doubled);
+    Segments::new(&kept.map(|(ends, _)| *ends).collect::<Vec<_>>())
 }
 
 /// Which segments another one goes back.

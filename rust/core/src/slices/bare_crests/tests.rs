@@ -77,6 +77,16 @@ fn a_crest_is_covered_by_the_faces_of_a_level_that_holds_it() {
 }
 
 #[test]
+fn a_ridge_between_two_walls_is_bare_where_a_slice_at_its_very_height_shows_only_the_walls() {
+    // There the ridge is a hair of the walls' outline, which nobody prints.
+    let wall = |x: f64| cuboid(DVec3::new(x, -30.0, -12.0), DVec3::new(x + 6.0, 30.0, 12.0));
+    let mesh = crate::solids::together(&[bar(), wall(-43.0), wall(37.0)]);
+    let mut crests = Crests::new(&mesh, (-11.0, 11.0), STRAND, 3.0);
+    let levels = [-RIDGE, RIDGE].map(|z| level(z, z));
+    assert_eq!(crests.take_bare(&Shown::all(&mesh, &levels)).len(), 2);
+}
+
+#[test]
 fn crests_beyond_the_first_and_the_last_level_are_no_matter() {
     let mesh = bar();
     let taken =

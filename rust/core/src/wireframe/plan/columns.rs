@@ -4,7 +4,7 @@
 //! place, from the bed or from the surface below, as one more contour of every slice on the way. The
 //! next pass prints them like any other wall.
 
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 use glam::DVec2;
 
@@ -136,7 +136,7 @@ impl<'a> Site<'a> {
             column.place.distance(need.place) < self.serves
                 && column.level < need.level
                 && self.is_free(column.place, column.level, need.level)
-                && !self.overlaps(column.place, column.level + 1..=need.level, found)
+                && !self.overlaps(column.place, column.level..need.level, found)
                 && !found.iter().any(|c| c.foot == Foot::Column { below: number })
         };
         let (below, column) = self.sliced.columns.iter().enumerate().find(goes_on)?;
@@ -145,14 +145,15 @@ impl<'a> Site<'a> {
         Some(Planned { wanted: need.place, place, first: level, top: need.level, foot })
     }
 
-    /// Whether a column at a place would stand in the way of another one on these levels.
-    fn overlaps(&self, place: DVec2, levels: RangeInclusive<usize>, found: &[Planned]) -> bool {
-        let built = self.sliced.columns.iter().map(|c| (c.place, c.first..=c.level));
-        let planned = found.iter().map(|c| (c.place, c.first..=c.top));
+    /// Whether a column at a place would stand in the way of another one in these slabs. One that ends
+    /// under a face does not stand in the way of what begins on it.
+    fn overlaps(&self, place: DVec2, slabs: Range<usize>, found: &[Planned]) -> bool {
+        let built = self.sliced.columns.iter().map(|c| (c.place, c.first..c.level));
+        let planned = found.iter().map(|c| (c.place, c.first..c.top));
         built.chain(planned).any(|(other, on)| {
             other.distance(place) < APART * self.radius
-                && on.start() <= levels.end()
-                && levels.start() <= on.end()
+                && on.start < slabs.end
+                && slabs.start < on.end
         })
     }
 
@@ -184,10 +185,11 @@ impl<'a> Site<'a> {
             let Some(Fall { foot, room }) = way(place) else { continue };
             let first = match foot {
                 Foot::Bed | Foot::Column { .. } => 0,
-                Foot::Face { level, .. } | Foot::Slope { level } => level,
+                Foot::Face { level, .. } => level,
+                Foot::Slope { level } => level - 1,
             };
             let planned = Planned { wanted: need.place, place, first, top: need.level, foot };
-            if self.overlaps(place, first..=need.level, found) {
+            if self.overlaps(place, first..need.level, found) {
                 continue;
             }
             if room >= ROOM * self.radius {

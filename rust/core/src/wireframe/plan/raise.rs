@@ -41,7 +41,7 @@ pub struct Planned {
     pub wanted: DVec2,
     /// Its middle, mm.
     pub place: DVec2,
-    /// The lowest level that it reaches.
+    /// The level above which it stands: the number of its lowest slab.
     pub first: usize,
     /// The one where it ends.
     pub top: usize,
@@ -50,11 +50,10 @@ pub struct Planned {
 }
 
 impl Planned {
-    /// Whether it stands at a level.
+    /// Whether it carries what lies at a level.
     #[must_use]
     pub fn passes(&self, level: usize) -> bool {
-        let begins_above = matches!(self.foot, Foot::Face { .. });
-        (self.first + usize::from(begins_above)..=self.top).contains(&level)
+        (self.first + 1..=self.top).contains(&level)
     }
 }
 

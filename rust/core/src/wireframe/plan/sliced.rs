@@ -53,7 +53,7 @@ pub struct Sheet {
 pub struct Column {
     /// Its middle, mm.
     pub place: DVec2,
-    /// The lowest level that it reaches.
+    /// The number of its lowest slab.
     pub first: usize,
     /// The level at which it ends.
     pub level: usize,
