@@ -71,6 +71,26 @@ class Frame:
         """
         if not len(self.ends):
             return self
+        of_beam = self._pieces()[self.ends[:, 0]]
+        lengths = np.linalg.norm(self.runs(), axis=1)
+        return self.only(of_beam == np.argmax(np.bincount(of_beam, lengths)))
+
+    def about(self, place_mm: Array) -> Frame:
+        """Return the piece that hangs together with the node nearest to a place.
+
+        Raises
+        ------
+        NoSolverError
+            There is no scipy.
+        """
+        if not len(self.ends):
+            return self
+        piece = self._pieces()
+        nearest = np.argmin(np.linalg.norm(self.places - place_mm, axis=1))
+        return self.only(piece[self.ends[:, 0]] == piece[nearest])
+
+    def _pieces(self) -> Whole:
+        """Return the number of the piece that each node is in."""
         try:
             from scipy.sparse import coo_matrix
             from scipy.sparse.csgraph import connected_components
@@ -78,10 +98,8 @@ class Frame:
             raise NoSolverError from error
         size = (len(self.places), len(self.places))
         graph = coo_matrix((np.ones(len(self.ends)), self.ends.T), shape=size)
-        _, piece = connected_components(graph, directed=False)
-        lengths = np.linalg.norm(self.runs(), axis=1)
-        of_beam = piece[self.ends[:, 0]]
-        return self.only(of_beam == np.argmax(np.bincount(of_beam, lengths)))
+        piece: Whole = connected_components(graph, directed=False)[1].astype(np.int64)
+        return piece
 
     def runs(self) -> Array:
         """Return from where to where each beam goes, mm, (M, 3)."""
@@ -161,14 +179,18 @@ def shifts_under(
     return found
 
 
+def strain_energies(frame: Frame, flexible: tuple[Array, Array], shifts: Array) -> Array:
+    """Return the energy that each beam holds, N·mm, (M,), by shifts and turns of all nodes."""
+    strain, loads = _strained(frame, flexible, shifts)
+    energies: Array = np.einsum("ni,ni->n", strain, loads) / 2
+    return energies
+
+
 def stresses(
     frame: Frame, flexible: tuple[Array, Array], shifts: Array, strand_mm: float
 ) -> tuple[Array, Array]:
     """Return the greatest stress in each strand, and in each beam, MPa (von Mises, at an end)."""
-    gives, carried = flexible
-    start, end = shifts[frame.ends[:, 0]], shifts[frame.ends[:, 1]]
-    strain = end - np.einsum("nij,nj->ni", carried, start)
-    loads: Any = np.linalg.solve(gives, strain[:, :, None])[:, :, 0]
+    _, loads = _strained(frame, flexible, shifts)
     run = frame.runs()
     along = run / np.linalg.norm(run, axis=1)[:, None]
     force, moment = loads[:, :3], loads[:, 3:]
@@ -182,3 +204,12 @@ def stresses(
     by_strand = np.zeros(int(frame.strands.max()) + 1)
     np.maximum.at(by_strand, frame.strands, by_beam)
     return by_strand[np.unique(frame.strands)], by_beam
+
+
+def _strained(frame: Frame, flexible: tuple[Array, Array], shifts: Array) -> tuple[Array, Array]:
+    """Return by how much each beam is strained, and the loads at its end: (M, 6) each."""
+    gives, carried = flexible
+    start, end = shifts[frame.ends[:, 0]], shifts[frame.ends[:, 1]]
+    strain = end - np.einsum("nij,nj->ni", carried, start)
+    loads: Any = np.linalg.solve(gives, strain[:, :, None])[:, :, 0]
+    return strain, loads

@@ -1,9 +1,10 @@
-"""Prints that would give way: made anew with lower slabs or thicker strands, where that pays.
+"""Prints that would give way: made anew with thicker strands or lower slabs, where that pays.
 
-Asked for by a forecast alone. What is tried is made and forecast like any print: lower slabs about
-the places that give way, or below them, or throughout; and each of these, or the print as it was,
-with strands that are fed as much more as its forecast says is missing. Of those that suffice the
-quickest is taken, else the one that gives way least.
+Asked for by a forecast alone. What is tried is made and forecast like any print. Thicker strands
+come first, for they cost least: a print that gives way everywhere does so in a few places then.
+About those, and where what bends is, slabs are made lower; throughout only where nothing less
+helps. Of what was tried, that which gains most for its time is gone on with, until something
+suffices; of all that suffice the quickest is taken, else the one that gives way least.
 """
 
 from __future__ import annotations
@@ -11,14 +12,13 @@ from __future__ import annotations
 import json
 import math
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
-
-import numpy as np
 
 from wireprint._core import WireprintError
 from wireprint.forecast import simulate
 from wireprint.pipeline import make
+from wireprint.softness import Band, about_fingers, about_misses, joined, share_of, that_bends
 from wireprint.threads import workers
 from wireprint.wholeness import is_whole
 
@@ -33,6 +33,10 @@ if TYPE_CHECKING:
 #: Heights of slabs that are tried throughout, as shares of the greatest, and in a part of them.
 _LOWER: Final = (0.75, 0.5, 0.35)
 _LOWER_IN_PART: Final = (0.5, 0.35)
+#: Bands that hold more of a print's height than this are no part of it.
+_PART: Final = 0.8
+#: Low slabs from so many heights to others at most.
+_MOST_BANDS: Final = 50
 #: A strand that is fed x times as much gives way by x⁻², may by √x, and bears x to the 1.5.
 _GIVES_WAY: Final = 2.5
 _BEARS: Final = 1.5
@@ -40,10 +44,12 @@ _BEARS: Final = 1.5
 _MARGIN: Final = 1.03
 #: What strands may be fed, `Wire.flow`; a slow hot end slows the head for it.
 _MOST_FLOW: Final = 3.0
-#: How often what is fed is told anew by the forecast of the print before.
-_ROUNDS: Final = 2
-#: Lower slabs reach so many of the greatest slabs below and above a place.
-_REACH: Final = 1.5
+#: How often what was tried is gone on with, and with how many of it.
+_ROUNDS: Final = 5
+_GONE_ON_WITH: Final = 2
+#: A print that takes so much longer counts as one that takes no longer: what is gained by it is
+#: not measured in less.
+_NO_LONGER: Final = 0.02
 #: Giving way by so much of what it was is worth a print of its own if none suffices, and so is
 #: feeding by so much of what is fed.
 _WORTH: Final = 0.9
@@ -72,16 +78,32 @@ class Stiffened:
 
 
 @dataclass(frozen=True)
+class _Way:
+    """What is set otherwise."""
+
+    #: What strands are fed, by what they would be; slabs throughout, mm; and slabs in parts, mm.
+    flow: float | None = None
+    slab_max_mm: float | None = None
+    low_slabs_mm: tuple[tuple[float, float, float], ...] = ()
+
+    def overrides(self) -> tuple[str, ...]:
+        """Return it as ``--set`` takes it."""
+        told = {
+            "slab_max_mm": self.slab_max_mm,
+            "low_slabs_mm": self.low_slabs_mm,
+            "flow": self.flow,
+        }
+        return tuple(f"wire.{key}={json.dumps(value)}" for key, value in told.items() if value)
+
+
+@dataclass(frozen=True)
 class _Print:
     """A print that was tried."""
 
-    overrides: tuple[str, ...]
+    way: _Way
     made: WirePrint
     forecast: Forecast
-
-    @property
-    def meets_mm(self) -> float:
-        return self.forecast.rules["meets"].worst or 0.0
+    grip_n: float | None
 
     @property
     def bears_n(self) -> float | None:
@@ -91,23 +113,26 @@ class _Print:
     def takes_s(self) -> float:
         return self.made.estimate.total_s
 
-    def lacks(self, grip_n: float | None) -> float:
-        """Return by what factor it falls short; up to 1: it suffices, as far as it was judged."""
-        return max(self._lacks(grip_n))
+    @property
+    def lacks(self) -> float:
+        """By what factor it falls short; up to 1: it suffices, as far as it was judged."""
+        return max(self._lacks())
 
-    def wants_flow(self, grip_n: float | None) -> float:
-        """Return how many times as much its strands would have to be fed to suffice."""
-        meets, bears = self._lacks(grip_n)
+    @property
+    def wanted_flow(self) -> float:
+        """What its strands would have to be fed to suffice."""
+        meets, bears = self._lacks()
         times: float = max(meets ** (1 / _GIVES_WAY), bears ** (1 / _BEARS))
-        return _MARGIN * times
+        return _MARGIN * times * self.made.settings.wire.flow
 
-    def _lacks(self, grip_n: float | None) -> tuple[float, float]:
+    def _lacks(self) -> tuple[float, float]:
         if not self.forecast.core.frame_judged:
             return math.inf, math.inf
-        meets = self.meets_mm / (self.forecast.rules["meets"].limit or 1.0)
-        if grip_n is None or self.bears_n is None:
-            return meets, 0.0
-        return meets, grip_n / max(self.bears_n, 1e-9)
+        meets = self.forecast.rules["meets"]
+        lacks = (meets.worst or 0.0) / (meets.limit or 1.0)
+        if self.grip_n is None or self.bears_n is None:
+            return lacks, 0.0
+        return lacks, self.grip_n / max(self.bears_n, 1e-9)
 
 
 def stiffened(
@@ -139,43 +164,43 @@ def stiffened(
     tuple of WirePrint, Forecast, and Stiffened or None
         The print to take, its forecast, and what was tried; None where nothing was amiss.
     """
-    first = _Print((), plain, simulate(plain.gcode, plain.settings, grip_n))
-    if not first.forecast.core.frame_judged or first.lacks(grip_n) <= 1:
+    first = _Print(_Way(), plain, simulate(plain.gcode, plain.settings, grip_n), grip_n)
+    if not first.forecast.core.frame_judged or first.lacks <= 1:
         return plain, first.forecast, None
 
-    def tried(overrides: tuple[str, ...]) -> _Print | None:
+    def made_of(way: _Way) -> _Print | None:
         try:
-            settings = plain.settings.but(overrides=overrides)
+            settings = plain.settings.but(overrides=way.overrides())
             made = make(mesh, settings, region, **options | {"clock": None})
         except WireprintError:
             return None
         certificate = made.certificate
         if certificate is None or not certificate.ok or not is_whole(certificate, settings):
             return None
-        return _Print(overrides, made, simulate(made.gcode, settings, grip_n))
+        return _Print(way, made, simulate(made.gcode, settings, grip_n), grip_n)
 
-    slabs = [way for way in _slabs(first, grip_n) if _key(way) not in kept]
+    known: dict[_Way, _Print | None] = {first.way: first}
     with ThreadPoolExecutor(workers()) as pool:
 
-        def made_of(ways: list[tuple[str, ...]]) -> list[_Print]:
-            return [one for one in pool.map(tried, ways) if one is not None]
+        def tried(ways: list[_Way]) -> list[_Print]:
+            fresh = [way for way in dict.fromkeys(ways) if way not in known]
+            known.update(zip(fresh, pool.map(made_of, fresh), strict=True))
+            return [one for way in fresh if (one := known[way]) is not None]
 
-        ways: list[tuple[str, ...]] = [(way,) for way in slabs]
-        found = made_of(ways)
-        bases = [first, *found]
-        for _ in range(0 if "wire.flow" in kept else _ROUNDS):
-            bases = _worth_thickening(bases, found, grip_n)
-            thicker = [_thicker(base, grip_n) for base in bases]
-            bases = made_of(thicker)
-            found += bases
-            ways += thicker
-        best = _best(first, found, grip_n)
-        thinner = [] if "wire.flow" in kept else _thinner(best, grip_n)
-        found += made_of(thinner)
-        ways += thinner
-    best = _best(first, found, grip_n)
+        bases = [first]
+        for _ in range(_ROUNDS):
+            found = tried([way for base in bases for way in _ways(base, kept)])
+            quickest = _quickest(known)
+            if quickest is None:
+                bases = _promising(bases, found)
+            else:
+                bases = [base for base in found if base.lacks > 1 and base.takes_s < quickest]
+                bases = sorted(bases, key=lambda one: one.lacks)[:1]
+        if "wire.flow" not in kept:
+            tried(_thinner(_best(first, known)))
+    best = _best(first, known)
     told = Stiffened(
-        best.overrides,
+        best.way.overrides(),
         first.forecast.rules["meets"].worst,
         best.forecast.rules["meets"].worst,
         best.forecast.rules["meets"].limit or 0.0,
@@ -183,91 +208,102 @@ def stiffened(
         best.bears_n,
         first.takes_s,
         best.takes_s,
-        best.lacks(grip_n) <= 1,
-        len(ways),
+        best.lacks <= 1,
+        len(known) - 1,
     )
     return best.made, best.forecast, told
 
 
-def _best(first: _Print, found: list[_Print], grip_n: float | None) -> _Print:
+def _quickest(known: dict[_Way, _Print | None]) -> float | None:
+    """Return how long the quickest print takes that suffices, s."""
+    return min((one.takes_s for one in known.values() if one and one.lacks <= 1), default=None)
+
+
+def _best(first: _Print, known: dict[_Way, _Print | None]) -> _Print:
     """Return the quickest that suffices, else what falls short least, if that is worth it."""
-    enough = [one for one in found if one.lacks(grip_n) <= 1]
+    found = [one for one in known.values() if one is not None]
+    enough = [one for one in found if one.lacks <= 1]
     if enough:
         return min(enough, key=lambda one: one.takes_s)
-    least = min(found, key=lambda one: (one.lacks(grip_n), one.takes_s), default=first)
-    return least if least.lacks(grip_n) < _WORTH * first.lacks(grip_n) else first
+    least = min(found, key=lambda one: (one.lacks, one.takes_s))
+    return least if least.lacks < _WORTH * first.lacks else first
 
 
-def _slabs(first: _Print, grip_n: float | None) -> Iterator[str]:
-    """Return lower slabs that are tried, as ``--set`` takes them."""
-    settings = first.made.settings
+def _promising(bases: list[_Print], found: list[_Print]) -> list[_Print]:
+    """Return what is gone on with: that which gains most for its time, and what lacks least."""
+    before = min(bases, key=lambda one: one.lacks)
+    better = [one for one in found if one.lacks < _WORTH * before.lacks]
+
+    def gain(one: _Print) -> float:
+        longer = max(math.log(one.takes_s / before.takes_s), _NO_LONGER)
+        return math.log(before.lacks / one.lacks) / longer
+
+    if not better:
+        return []
+    ordered = [max(better, key=gain), *sorted(better, key=lambda one: one.lacks)]
+    return list({one.way: one for one in ordered}.values())[:_GONE_ON_WITH]
+
+
+def _ways(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+    """Return what to try next where a print gives way."""
+    lower = list(_lower(base, kept))
+    if "wire.flow" in kept or base.made.settings.wire.flow >= _MOST_FLOW:
+        yield from lower
+        return
+    flow = _rounded_up(min(base.wanted_flow, _MOST_FLOW))
+    yield replace(base.way, flow=flow)
+    yield from (way for way in lower if base.wanted_flow <= _MOST_FLOW)
+
+
+def _lower(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+    """Return ways with lower slabs: about what gives way, and throughout."""
+    settings = base.made.settings
     high, low = settings.slab_max_mm, settings.slab_min_mm
-
-    def lower(shares: tuple[float, ...]) -> list[float]:
-        heights = [max(share * high, low) for share in shares]
-        return [height for height in dict.fromkeys(heights) if height < high]
-
-    yield from (_set("slab_max_mm", most) for most in lower(_LOWER))
-    for band in _bands(first, grip_n):
-        yield from (_set("low_slabs_mm", [*band, most]) for most in lower(_LOWER_IN_PART))
-
-
-def _worth_thickening(
-    bases: list[_Print], found: list[_Print], grip_n: float | None
-) -> list[_Print]:
-    """Return those that fall short and may become the quickest that suffices."""
-    enough = [one.takes_s for one in found if one.lacks(grip_n) <= 1]
-    quickest = min(enough, default=math.inf)
-    short = [base for base in bases if 1 < base.lacks(grip_n) < math.inf]
-    short = [base for base in short if base.made.settings.wire.flow < _MOST_FLOW]
-    if enough:
-        short = [
-            base
-            for base in short
-            if base.takes_s < quickest
-            and base.wants_flow(grip_n) * base.made.settings.wire.flow <= _MOST_FLOW
-        ]
-    return short
+    top = float(base.forecast.ends_mm[:, 1, 2].max(initial=0.0))
+    if "wire.low_slabs_mm" not in kept:
+        for bands in _bands(base):
+            if share_of(bands, top) > _PART:
+                continue
+            for share in _LOWER_IN_PART:
+                slabs = _with(base.way.low_slabs_mm, bands, max(share * high, low))
+                if len(slabs) <= _MOST_BANDS:
+                    yield replace(base.way, low_slabs_mm=slabs)
+    if "wire.slab_max_mm" not in kept:
+        for share in _LOWER:
+            height = round(max(share * high, low), _DIGITS)
+            if height < high:
+                yield replace(base.way, slab_max_mm=height)
 
 
-def _thinner(best: _Print, grip_n: float | None) -> list[tuple[str, ...]]:
-    """Return the changes of a print that suffices with strands that are fed more than it takes."""
-    is_fed_more = any(_key(one) == "wire.flow" for one in best.overrides)
-    if is_fed_more and best.wants_flow(grip_n) < _WORTH:
-        return [_thicker(best, grip_n)]
+def _bands(base: _Print) -> list[list[Band]]:
+    """Return sets of heights between which lower slabs may help, each once."""
+    misses = about_misses(base.made, base.forecast)
+    bends = that_bends(base.made, base.forecast) if misses else []
+    sets = [misses, bends, joined([*misses, *bends])]
+    if base.forecast.grip is not None and (base.bears_n or 0.0) < (base.grip_n or 0.0):
+        sets.append(about_fingers(base.made, base.forecast, base.forecast.grip))
+    return [list(one) for one in dict.fromkeys(tuple(one) for one in sets) if one]
+
+
+def _with(
+    before: tuple[tuple[float, float, float], ...], bands: list[Band], most: float
+) -> tuple[tuple[float, float, float], ...]:
+    """Return low slabs with some more; those of one height that overlap are one."""
+    by_height: dict[float, list[Band]] = {}
+    for low, high, height in [*before, *((*band, round(most, _DIGITS)) for band in bands)]:
+        by_height.setdefault(height, []).append((round(low, _DIGITS), round(high, _DIGITS)))
+    return tuple(
+        (*band, height) for height in sorted(by_height) for band in joined(by_height[height])
+    )
+
+
+def _thinner(best: _Print) -> list[_Way]:
+    """Return the way of a print that suffices with strands that are fed no more than it takes."""
+    flow = _rounded_up(best.wanted_flow)
+    if best.way.flow is not None and best.lacks <= 1 and flow < _WORTH * best.way.flow:
+        return [replace(best.way, flow=flow)]
     return []
 
 
-def _thicker(base: _Print, grip_n: float | None) -> tuple[str, ...]:
-    """Return its changes, with strands that are fed as much as its forecast asks for."""
-    wanted = base.wants_flow(grip_n) * base.made.settings.wire.flow
-    rounded = math.ceil(wanted * 10**_DIGITS) / 10**_DIGITS
-    others = [one for one in base.overrides if _key(one) != "wire.flow"]
-    return (*others, _set("flow", min(rounded, _MOST_FLOW)))
-
-
-def _bands(first: _Print, grip_n: float | None) -> Iterator[tuple[float, float]]:
-    """Return heights, mm, between which lower slabs may help: of what gives way, and below."""
-    forecast, settings = first.forecast, first.made.settings
-    reach = _REACH * settings.slab_max_mm
-    limit = forecast.rules["meets"].limit or 0.0
-    misses = settings.wire.pull_n * np.nan_to_num(forecast.compliance_mm_n) > limit
-    ends = forecast.ends_mm[:, 1, 2]
-    top = float(ends.max(initial=0.0))
-    if misses.any():
-        low, high = float(ends[misses].min()), float(ends[misses].max())
-        yield max(0.0, low - reach), high + reach
-        if low - reach > reach:
-            yield 0.0, low
-    if grip_n is not None and (first.bears_n or 0.0) < grip_n:
-        yield max(0.0, top / 2 - 2 * reach), top / 2 + 2 * reach
-
-
-def _set(name: str, value: float | list[float]) -> str:
-    rounded = [round(one, _DIGITS) for one in value] if isinstance(value, list) else None
-    told = json.dumps(round(value, _DIGITS) if isinstance(value, float) else rounded)
-    return f"wire.{name}={told}"
-
-
-def _key(override: str) -> str:
-    return override.partition("=")[0]
+def _rounded_up(value: float) -> float:
+    return math.ceil(value * 10**_DIGITS) / 10**_DIGITS

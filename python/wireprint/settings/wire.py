@@ -23,6 +23,20 @@ def _auto_is_none(value: object) -> object:
 Pause = Annotated[float | None, BeforeValidator(_auto_is_none)]
 
 
+def _one_is_several(value: object) -> object:
+    """Take one band for a list of one, and None for an empty one."""
+    if value is None:
+        return ()
+    is_one = isinstance(value, list | tuple) and len(value) > 0
+    return [value] if is_one and not any(isinstance(one, list | tuple) for one in value) else value
+
+
+#: Bands of heights, and how high slabs are there; one band may stand alone.
+LowSlabs = Annotated[
+    tuple[tuple[Height, Height, Millimetres], ...], BeforeValidator(_one_is_several)
+]
+
+
 class Wire(Section):
     """How a model becomes strands. ``None`` means: follows from the printer."""
 
@@ -32,8 +46,10 @@ class Wire(Section):
     slab_max_mm: Millimetres | None = Field(
         None, description="highest slab; None: the head's cone height (paper: 6)"
     )
-    low_slabs_mm: tuple[Height, Height, Millimetres] | None = Field(
-        None, description="from one height to another no slab is higher than so; slice --forecast"
+    low_slabs_mm: LowSlabs = Field(
+        (),
+        max_length=50,
+        description="from one height to another no slab is higher than so; slice --forecast",
     )
     pattern: Pattern = Field(
         "zigzag", description="zigzag: contours and zigzag; peaks: the paper's figure 7c"

@@ -45,7 +45,7 @@ const ROUNDS: usize = 3;
 pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Level> {
     let Some((bottom, top)) = extent(mesh) else { return Vec::new() };
     let tallest = Strokes::new(head, params.strand).tallest(params.slab_max);
-    let params = &HeightParams { slab_max: tallest.max(params.slab_min), ..*params };
+    let params = &HeightParams { slab_max: tallest.max(params.slab_min), ..params.clone() };
     let mut wanted = wanted_heights(mesh, bottom, top, params);
     let first = bottom + params.first_layer.min((top - bottom) * 0.5);
     let last = wanted.iter().map(|w| w.low).fold(first, f64::max);
@@ -102,8 +102,8 @@ fn candidates(wanted: &[Wanted], first: f64, last: f64, p: &HeightParams) -> Vec
             out.extend((1..parts).map(|i| pair[0] + gap * i as f64 / parts as f64));
         };
         divide((gap / step).ceil() as usize);
-        let low = p.low_slabs.map(|low| low.most(pair[0], pair[1]).min(p.slab_max));
-        for most in std::iter::once(p.slab_max).chain(low) {
+        let low = p.low(pair[0], pair[1]);
+        for most in std::iter::once(p.slab_max).chain((low < p.slab_max).then_some(low)) {
             let fewest = (gap / most).ceil() as usize;
             divide(fewest);
             divide(fewest + 1);

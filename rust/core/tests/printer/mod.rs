@@ -78,7 +78,7 @@ impl Printer {
             deviation_target: 0.3 * scale,
             speed: 30.0 * scale,
             pause: 1.0,
-            low_slabs: None,
+            low_slabs: Vec::new(),
             hop: 0.3,
             coils: true,
             climb: None,

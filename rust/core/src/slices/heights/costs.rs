@@ -52,8 +52,7 @@ impl Costs<'_> {
         let (heights, p) = (self.heights, self.params);
         let begin = heights.partition_point(|&z| heights[j] - z > p.slab_max + 1e-9);
         let end = heights.partition_point(|&z| heights[j] - z >= LOWEST * p.slab_min);
-        let most =
-            |i: usize| p.low_slabs.map_or(f64::INFINITY, |low| low.most(heights[i], heights[j]));
+        let most = |i: usize| p.low(heights[i], heights[j]);
         let fits = |i: &usize| *i + 1 == j || heights[j] - heights[*i] <= most(*i) + 1e-9;
         (begin..end).filter(fits).map(|i| (i, self.slab(i, j))).collect()
     }

@@ -22,7 +22,7 @@ impl LowSlabs {
 }
 
 /// What the choice of heights depends on; lengths in mm.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Deserialize)]
 pub struct HeightParams {
     /// Least height of a slab.
     #[serde(rename = "slab_min_mm")]
@@ -48,9 +48,9 @@ pub struct HeightParams {
     /// Pause at each post, s.
     #[serde(rename = "pause_s")]
     pub pause: f64,
-    /// Where slabs are lower than elsewhere.
+    /// Where slabs are lower than elsewhere; the lowest counts where several are.
     #[serde(rename = "low_slabs_mm")]
-    pub low_slabs: Option<LowSlabs>,
+    pub low_slabs: Vec<LowSlabs>,
     /// What a travel takes besides its way, s.
     #[serde(rename = "hop_s")]
     pub hop: f64,
@@ -59,6 +59,14 @@ pub struct HeightParams {
     pub coils: bool,
     /// The axis that raises the head; None where it is as fast as the others.
     pub climb: Option<Climb>,
+}
+
+impl HeightParams {
+    /// Greatest height of a slab between two heights, as far as low slabs are asked for there;
+    /// infinite where none are.
+    pub fn low(&self, from: f64, to: f64) -> f64 {
+        self.low_slabs.iter().map(|low| low.most(from, to)).fold(f64::INFINITY, f64::min)
+    }
 }
 
 #[cfg(test)]

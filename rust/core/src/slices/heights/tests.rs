@@ -174,11 +174,9 @@ fn every_candidate(lows: &[f64], first: f64, last: f64, p: &HeightParams) -> Vec
         let gap = pair[1] - pair[0];
         let fewest = |most: f64| (1..).find(|&n| gap / f64::from(n) <= most).unwrap();
         let mut parts = vec![fewest(step), fewest(p.slab_max), fewest(p.slab_max) + 1];
-        if let Some(LowSlabs(low, high, most)) = p.low_slabs
-            && low < pair[1]
-            && pair[0] < high
-            && most < p.slab_max
-        {
+        let about = |&&LowSlabs(low, high, _): &&LowSlabs| low < pair[1] && pair[0] < high;
+        let lows = p.low_slabs.iter().filter(about).map(|&LowSlabs(_, _, most)| most);
+        if let Some(most) = lows.min_by(f64::total_cmp).filter(|&most| most < p.slab_max) {
             parts.extend([fewest(most), fewest(most) + 1]);
         }
         if gap < p.slab_min {
@@ -213,9 +211,11 @@ fn candidates_are_the_wanted_heights_an_even_grid_and_even_divisions() {
             ends: false,
         };
         let wanted: Vec<Wanted> = lows.iter().map(at).collect();
-        let low = random.between(0.0, last);
-        let slabs = LowSlabs(low, low + random.between(1.0, 20.0), random.between(1.5, 7.0));
-        let p = HeightParams { low_slabs: (turn % 2 == 0).then_some(slabs), ..params() };
+        let low_slabs = (0..turn % 4).map(|_| {
+            let low = random.between(0.0, last);
+            LowSlabs(low, low + random.between(1.0, 20.0), random.between(1.5, 7.0))
+        });
+        let p = HeightParams { low_slabs: low_slabs.collect(), ..params() };
         let found = candidates(&wanted, first, last, &p);
         let all = every_candidate(&lows, first, last, &p);
         assert_eq!(found.len(), all.len());
@@ -230,11 +230,16 @@ fn candidates_are_the_wanted_heights_an_even_grid_and_even_divisions() {
 fn levels_go_no_higher_where_slabs_are_to_be_low() {
     let corner = DVec3::new(14.0, 14.0, 0.0);
     let mesh = block(-corner, corner + DVec3::Z * 40.0, 0.0);
-    let p = HeightParams { low_slabs: Some(LowSlabs(12.0, 21.0, 2.0)), ..params() };
+    let low_slabs = vec![LowSlabs(12.0, 21.0, 2.0), LowSlabs(20.0, 24.0, 3.0)];
+    let p = HeightParams { low_slabs, ..params() };
     let levels = choose_levels(&mesh, &head(), &p);
     for pair in levels.windows(2) {
         let (from, to) = (pair[0].z, pair[1].z);
-        let most = if to > 12.0 && from < 21.0 { 2.0 } else { 6.0 };
+        let most = match () {
+            () if to > 12.0 && from < 21.0 => 2.0,
+            () if to > 20.0 && from < 24.0 => 3.0,
+            () => 6.0,
+        };
         assert!(to - from <= most + 1e-6, "{from} to {to}");
     }
     // Elsewhere they are as high as they were.

@@ -1,0 +1,117 @@
+"""Where a print that gives way does so: heights between which lower slabs may help."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from wireprint.forecast_terms import stiffer
+from wireprint.frames import Frame, can_solve, flexibility, shifts_under, strain_energies
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import numpy.typing as npt
+
+    from wireprint.forecast import Forecast
+    from wireprint.grip import Grip
+    from wireprint.wire_print import WirePrint
+
+    Array = npt.NDArray[np.float64]
+
+#: From height to height, mm.
+Band = tuple[float, float]
+
+#: What holds a place reaches so far below it and above it, in slabs of the greatest height.
+_BELOW: Final = 1.5
+_ABOVE: Final = 0.5
+#: Heights that hold this share of what bends are told.
+_MOST_OF_IT: Final = 0.8
+#: The place is the right one where it gives way by this share of what was told.
+_SAME: Final = 0.5
+#: Heights are told apart by this share of the greatest slab.
+_BIN: Final = 0.5
+#: Frames of more nodes are not solved as a whole: some ten seconds of one core.
+_MOST_NODES: Final = 60_000
+
+
+def about_misses(made: WirePrint, forecast: Forecast) -> list[Band]:
+    """Return heights about all strands that end on what gives way too far."""
+    settings = made.settings
+    limit = forecast.rules["meets"].limit or 0.0
+    misses = settings.wire.pull_n * np.nan_to_num(forecast.compliance_mm_n) > limit
+    heights = forecast.ends_mm[misses, 1, 2].tolist()
+    high = settings.slab_max_mm
+    return joined((max(0.0, z - _BELOW * high), z + _ABOVE * high) for z in heights)
+
+
+def that_bends(made: WirePrint, forecast: Forecast) -> list[Band]:
+    """Return heights of that which bends where a print gives way farthest.
+
+    Of the energy of the strands that bear a pull at the worst place of ``meets``, as the print
+    was when that was met, they hold four fifths. Empty where there is no scipy, or too much to
+    solve.
+    """
+    settings = made.settings
+    worst = forecast.rules["meets"]
+    if worst.line is None or worst.place_mm is None or not can_solve():
+        return []
+    whole = Frame.of(made.gcode, settings)
+    before = whole.only((whole.lines < worst.line) & ~whole.on_bed[whole.ends].all(axis=1))
+    if not len(before.ends):
+        return []
+    frame = before.about(np.array(worst.place_mm))
+    if not frame.on_bed.any() or len(frame.places) > _MOST_NODES:
+        return []
+    flexible = flexibility(
+        frame, settings.strand_mm, settings.material.modulus_mpa * stiffer(settings)
+    )
+    pulled = int(np.argmin(np.linalg.norm(frame.places - worst.place_mm, axis=1)))
+    loads = [np.zeros_like(frame.places) for _ in range(3)]
+    for axis, load in enumerate(loads):
+        load[pulled, axis] = 1.0
+    shifts = np.array(shifts_under(frame, flexible, frame.on_bed, loads))
+    gives, directions = np.linalg.eigh(shifts[:, pulled, :3])
+    if gives[-1] * settings.wire.pull_n < _SAME * (worst.worst or 0.0):
+        # What gave way was met elsewhere along the strand.
+        return []
+    energies = strain_energies(frame, flexible, np.tensordot(directions[:, -1], shifts, 1))
+    middles = frame.places[frame.ends].mean(axis=1)[:, 2]
+    return _holding(middles, energies, _BIN * settings.slab_max_mm)
+
+
+def about_fingers(made: WirePrint, forecast: Forecast, grip: Grip) -> list[Band]:
+    """Return heights about two fingers, and about what is strained most between them."""
+    high = made.settings.slab_max_mm
+    middle = float(forecast.ends_mm[:, 1, 2].max(initial=0.0)) / 2
+    at = [middle, grip.place_mm[2]]
+    return joined((max(0.0, z - 2 * _BELOW * high), z + 2 * _BELOW * high) for z in at)
+
+
+def joined(bands: Iterable[Band]) -> list[Band]:
+    """Return bands, those that overlap as one, from the lowest up."""
+    found: list[Band] = []
+    for low, high in sorted(bands):
+        if found and low <= found[-1][1]:
+            found[-1] = found[-1][0], max(found[-1][1], high)
+        else:
+            found.append((low, high))
+    return found
+
+
+def _holding(heights: Array, energies: Array, step: float) -> list[Band]:
+    """Return the heights that hold most of an energy, by steps of a height."""
+    steps = np.floor(heights / step).astype(np.int64)
+    sums = np.bincount(steps - steps.min(), energies)
+    order = np.argsort(-sums, kind="stable")
+    count = int(np.searchsorted(np.cumsum(sums[order]), _MOST_OF_IT * sums.sum())) + 1
+    lows = (order[:count] + steps.min()) * step
+    return joined((max(0.0, low - step), low + 2 * step) for low in lows.tolist())
+
+
+def share_of(bands: Iterable[Band], top: float) -> float:
+    """Return how much of a print of a height lies within bands."""
+    covered = math.fsum(max(0.0, min(high, top) - low) for low, high in joined(bands))
+    return covered / top if top > 0 else 1.0
