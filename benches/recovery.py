@@ -18,14 +18,15 @@ from wireprint import Settings, _core
 from wireprint.calibration.answers import SAG_MM, Answers, Held, Sag
 from wireprint.calibration.fit import PRIORS, fitted
 from wireprint.calibration.tents import LENGTHS_MM, SHARES
-from wireprint.forecast_terms import air_mm_s, matter_of
+from wireprint.cooling import holds_s
+from wireprint.forecast_terms import air_mm_s
 
 PAUSE_S, WITHIN_S, WITHIN_MM, OFTEN = 0.1, 0.15, 0.1, 0.95
 
 
 def truth(settings, rng):
     """A machine as the priors say that it may be: its pause, and what tells its sags."""
-    matter = matter_of(settings.material, settings.strand_mm)
+    matter = settings.material.matter(settings.strand_mm)
     blown, thick, drawn, hotter = (rng.standard_normal(4) * PRIORS).tolist()
     other = matter | {
         "glass_c": matter["glass_c"] + hotter,
@@ -33,7 +34,8 @@ def truth(settings, rng):
         "draw": max(1.0, matter["draw"] + drawn),
     }
     speed = air_mm_s(settings) * math.exp(blown)
-    pause = _core.cooling_time(matter, settings.material.holding_c + hotter, speed)
+    post = (settings.slab_max_mm, settings.print_mm_s, settings.wire.pull_n)
+    pause = holds_s(other, settings.material.holding_c + hotter, speed, post)
     return pause, lambda laid: _core.sags(other, speed, laid, list(LENGTHS_MM))
 
 

@@ -13,7 +13,8 @@ from wireprint.calibration.answers import SAG_MM, Answers, Held, Sag, read
 from wireprint.calibration.fit import PRIORS, fitted
 from wireprint.calibration.prints import printed
 from wireprint.calibration.tents import LENGTHS_MM, SHARES, pauses_s
-from wireprint.forecast_terms import air_mm_s, matter_of
+from wireprint.cooling import holds_s
+from wireprint.forecast_terms import air_mm_s
 
 
 @pytest.mark.parametrize("name", ["ladder", "harp", "mast", "sphere"])
@@ -53,7 +54,7 @@ def test_what_does_not_fit_the_bed_is_refused(tmp_path):
 
 def truth(settings, rng):
     """A machine as the priors say that it may be: what tells its pause and its sags."""
-    matter = matter_of(settings.material, settings.strand_mm)
+    matter = settings.material.matter(settings.strand_mm)
     air = air_mm_s(settings)
     blown, thick, drawn, hotter = (rng.standard_normal(4) * PRIORS).tolist()
     other = matter | {
@@ -62,7 +63,8 @@ def truth(settings, rng):
         "draw": max(1.0, matter["draw"] + drawn),
     }
     speed = air * math.exp(blown)
-    pause = _core.cooling_time(matter, settings.material.holding_c + hotter, speed)
+    post = (settings.slab_max_mm, settings.print_mm_s, settings.wire.pull_n)
+    pause = holds_s(other, settings.material.holding_c + hotter, speed, post)
     return pause, lambda lengths, laid: _core.sags(other, speed, laid, list(lengths))
 
 

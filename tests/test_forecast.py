@@ -14,7 +14,6 @@ import pytest
 import wireprint
 from command import run
 from wireprint import Settings, _core, examples, forecast_terms, load_mesh, make, simulate
-from wireprint.forecast_terms import matter_of
 from wireprint.forecast_words import figure, sentences, unknown
 
 RULES = ["holds", "sags", "meets", "flows", "knots", "welds", "grips"]
@@ -295,7 +294,7 @@ def test_a_frame_that_is_too_much_work_is_not_judged(monkeypatch, prints):
 def test_the_papers_pause_is_advised():
     """30 mm/s, ABS of 0.7 mm, air jets: 1 s; and that beats 5 mm/s without."""
     settings = Settings.load(overrides=["air_mm_s.valve=6000"])
-    matter = matter_of(settings.material, 0.7)
+    matter = settings.material.matter(0.7)
     for length_mm in (2.0, 5.0, 11.0):
         assert 0.9 <= _core.holding_pause(matter, 6000, length_mm, 30, 0.01, 60) <= 1.3
     pause_s = _core.holding_pause(matter, 6000, 5.0, 30, 0.01, 60)
@@ -305,7 +304,7 @@ def test_the_papers_pause_is_advised():
 @pytest.mark.parametrize("material", ["abs", "pla", "petg"])
 @pytest.mark.parametrize("nozzle_mm", [0.4, 0.7])
 def test_still_air_asks_for_three_times_the_pause_of_a_fan(material, nozzle_mm):
-    matter = matter_of(Settings.load(material=material).material, nozzle_mm)
+    matter = Settings.load(material=material).material.matter(nozzle_mm)
     still, fan = (_core.holding_pause(matter, air, 4.0, 30, 0.01, 60) for air in (0, 3000))
     assert still >= 3 * fan
 
@@ -316,6 +315,32 @@ def test_auto_is_the_pause_that_follows_and_a_number_stays():
     assert Settings.load(overrides=["wire.pause_s=0.5"]).pause_s == 0.5
     kept = Settings.load(overrides=["wire.pause_s=0.5"])
     assert kept.but(overrides=["wire.pause_s=auto"]).pause_s == own.pause_s
+
+
+@pytest.mark.parametrize("printer", ["kossel-mini", "prusa-mk4s", "printrbot-simple"])
+@pytest.mark.parametrize("material", ["abs", "pla", "petg"])
+@pytest.mark.parametrize("nozzle_mm", [0.25, 0.4, 0.6, 0.8])
+def test_no_post_that_a_pause_can_help_leans_after_auto(printer, material, nozzle_mm):
+    settings = Settings.load(printer, material, nozzle_mm=nozzle_mm)
+    matter, air = settings.material.matter(nozzle_mm), forecast_terms.air_mm_s(settings)
+    speed, pull_n, high_mm = settings.print_mm_s, settings.wire.pull_n, settings.slab_max_mm
+    for share in (0.3, 0.5, 0.7, 0.85, 1.0):
+        asks = _core.holding_pause(matter, air, share * high_mm, speed, pull_n, 60.0)
+        assert asks <= settings.solidify_s + 1e-9 or asks > 1.25 * settings.material.solidify_s(
+            nozzle_mm, air
+        )
+
+
+@pytest.mark.parametrize(
+    ("printer", "material", "nozzle_mm"),
+    [("prusa-mk4s", "pla", 0.4), ("prusa-mk4s", "petg", 0.4), ("kossel-mini", "abs", 0.7)],
+)
+def test_posts_of_a_print_hold_after_auto(cube, printer, material, nozzle_mm):
+    """As far as they themselves lean: what they stand on gives way however long they wait."""
+    settings = Settings.load(printer, material, nozzle_mm=nozzle_mm)
+    found = simulate(make(cube, settings, compare=False).gcode, settings)
+    worst = found.rules["holds"]
+    assert worst.worst - worst.detail <= worst.limit
 
 
 def test_the_command_takes_a_pause(cube, tmp_path):

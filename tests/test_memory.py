@@ -143,3 +143,24 @@ def test_arrays_are_held_to_the_budget_too():
         text=True,
     )
     assert "a mesh of 100000 triangles" in done.stdout, done.stderr
+
+
+def laid_into_each_other(path, strands):
+    """Strands to and fro in one place: each touches all before it."""
+    moves = [f"G1 X{100 + 20 * (i % 2)} Y100 E1 F1800" for i in range(strands)]
+    path.write_text("\n".join(["M83", "G1 X100 Y100 Z0.35 F1800", *moves, "G1 Z20", ""]))
+    return path
+
+
+def test_a_frame_with_more_contacts_than_there_is_room_for_is_refused(tmp_path):
+    """They grow with the square of the strands, of which there is room for many more."""
+    text = laid_into_each_other(tmp_path / "knot.gcode", 600)
+    done = wireprint("simulate", text, memory="20M")
+    assert done.returncode == 3
+    assert "knot.gcode" in done.stderr
+    assert "a frame whose strands touch at more than 104857 places" in done.stderr
+    assert "WIREPRINT_MEMORY=1G" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert wireprint("simulate", text, memory="1G").returncode == 0
+    few = laid_into_each_other(tmp_path / "few.gcode", 300)
+    assert wireprint("simulate", few, memory="20M").returncode == 0

@@ -9,7 +9,6 @@ from wireprint.calibration.bending import of_strand
 
 if TYPE_CHECKING:
     from wireprint.settings import Settings
-    from wireprint.settings.material import Material
 
 #: An uncalibrated figure may be so many times as large, or as small: air speed, viscosity and draw
 #: are known within about that.
@@ -18,8 +17,6 @@ SPREAD: Final = 2.0
 _DEVIATIONS: Final = 2.0
 #: Floating-point operations after which the growing frame is not judged: some 50 s of one core.
 MOST_WORK: Final = 1e12
-#: The modulus falls in the middle of a range that begins at the glass transition, K: the core's.
-_SOFTENS_ABOVE_K: Final = 5.0
 
 
 def calibrated_spread(name: str, settings: Settings) -> float | None:
@@ -44,24 +41,6 @@ def stiffer(settings: Settings) -> float:
     return known.bending_n_mm2 / of_strand(settings.strand_mm, settings.material.modulus_mpa)
 
 
-def matter_of(material: Material, strand_mm: float) -> dict[str, float]:
-    """Return what the core knows of a strand: its diameter in mm, and a material."""
-    return {
-        "strand_mm": strand_mm,
-        "nozzle_c": material.nozzle_c,
-        "air_c": material.air_c,
-        "density_g_cm3": material.density_g_cm3,
-        "specific_heat_j_kgk": material.specific_heat_j_kgk,
-        "conductivity_w_mk": material.conductivity_w_mk,
-        # What is said of the temperature at which strands hold moves all that depends on it.
-        "glass_c": material.holding_c - _SOFTENS_ABOVE_K,
-        "modulus_mpa": material.modulus_mpa,
-        "melt_viscosity_pa_s": material.melt_viscosity_pa_s,
-        "plateau_modulus_pa": material.plateau_modulus_pa,
-        "draw": material.draw,
-    }
-
-
 def air_mm_s(settings: Settings) -> float:
     """Return the speed of the air where all of it blows, mm/s."""
     cooling = settings.printer.cooling
@@ -72,7 +51,7 @@ def air_mm_s(settings: Settings) -> float:
 def terms_of(settings: Settings) -> dict[str, Any]:
     """Return what the core forecasts with."""
     printer, material = settings.printer, settings.material
-    matter = matter_of(material, settings.strand_mm)
+    matter = material.matter(settings.strand_mm)
     known = settings.calibrated_by()
     spread, faster, farther = calibrated_spread("holds", settings) or SPREAD, 1.0, []
     if known is not None:

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint import _core
-from wireprint.forecast_terms import air_mm_s, matter_of
+from wireprint.forecast_terms import air_mm_s
 
 if TYPE_CHECKING:
     from wireprint.forecast import Forecast, Rule
@@ -194,7 +194,7 @@ def _longer_pause(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     blows = forecast.core.air_blows
     # What they stand on gives way by `base`: the less the post itself may, as by a greater pull.
     pause_s = _core.holding_pause(
-        matter_of(settings.material, settings.strand_mm),
+        settings.material.matter(settings.strand_mm),
         air_mm_s(settings) if blows else 0.0,
         rule.length_mm,
         settings.print_mm_s,

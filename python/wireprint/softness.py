@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from wireprint.forecast import Forecast
     from wireprint.grip import Grip
+    from wireprint.settings import Settings
     from wireprint.wire_print import WirePrint
 
     Array = npt.NDArray[np.float64]
@@ -29,8 +30,10 @@ _BELOW: Final = 1.5
 _ABOVE: Final = 0.5
 #: Heights that hold this share of what bends are told.
 _MOST_OF_IT: Final = 0.8
-#: The place is the right one where it gives way by this share of what was told.
-_SAME: Final = 0.5
+#: Nodes so near to each other are the same one, mm.
+_SAME_MM: Final = 1e-6
+#: Of the places that a strand meets so many are pulled at: few strands meet more.
+_MOST_PLACES: Final = 6
 #: Heights are told apart by this share of the greatest slab.
 _BIN: Final = 0.5
 #: Frames of more nodes are not solved as a whole: some ten seconds of one core.
@@ -56,30 +59,44 @@ def that_bends(made: WirePrint, forecast: Forecast) -> list[Band]:
     """
     settings = made.settings
     worst = forecast.rules["meets"]
-    if worst.line is None or worst.place_mm is None or not can_solve():
+    if worst.line is None or not can_solve():
         return []
     whole = Frame.of(made.gcode, settings)
     before = whole.only((whole.lines < worst.line) & ~whole.on_bed[whole.ends].all(axis=1))
-    if not len(before.ends):
+    touched = whole.places[np.unique(whole.ends[whole.lines == worst.line])]
+    if not len(before.ends) or not len(touched):
         return []
-    frame = before.about(np.array(worst.place_mm))
-    if not frame.on_bed.any() or len(frame.places) > _MOST_NODES:
+    met = _softest(before, touched[:_MOST_PLACES], settings)
+    if met is None:
         return []
-    flexible = flexibility(
-        frame, settings.strand_mm, settings.material.modulus_mpa * stiffer(settings)
-    )
-    pulled = int(np.argmin(np.linalg.norm(frame.places - worst.place_mm, axis=1)))
-    loads = [np.zeros_like(frame.places) for _ in range(3)]
-    for axis, load in enumerate(loads):
-        load[pulled, axis] = 1.0
-    shifts = np.array(shifts_under(frame, flexible, frame.on_bed, loads))
-    gives, directions = np.linalg.eigh(shifts[:, pulled, :3])
-    if gives[-1] * settings.wire.pull_n < _SAME * (worst.worst or 0.0):
-        # What gave way was met elsewhere along the strand.
-        return []
-    energies = strain_energies(frame, flexible, np.tensordot(directions[:, -1], shifts, 1))
-    middles = frame.places[frame.ends].mean(axis=1)[:, 2]
+    middles, energies = met
     return _holding(middles, energies, _BIN * settings.slab_max_mm)
+
+
+def _softest(before: Frame, touched: Array, settings: Settings) -> tuple[Array, Array] | None:
+    """Pull at the softest of some places: heights of beams, and the energy that each holds.
+
+    None where nothing of it was there before, or nothing that stands on the bed.
+    """
+    found, most = None, 0.0
+    for place in touched:
+        if np.linalg.norm(before.places - place, axis=1).min() > _SAME_MM:
+            continue
+        frame = before.about(place)
+        if not frame.on_bed.any() or len(frame.places) > _MOST_NODES:
+            continue
+        modulus_mpa = settings.material.modulus_mpa * stiffer(settings)
+        flexible = flexibility(frame, settings.strand_mm, modulus_mpa)
+        pulled = int(np.argmin(np.linalg.norm(frame.places - place, axis=1)))
+        loads = np.zeros((3, *frame.places.shape))
+        loads[:, pulled] = np.eye(3)
+        shifts = np.array(shifts_under(frame, flexible, frame.on_bed, list(loads)))
+        gives, directions = np.linalg.eigh(shifts[:, pulled, :3])
+        if gives[-1] > most:
+            most = float(gives[-1])
+            energies = strain_energies(frame, flexible, np.tensordot(directions[:, -1], shifts, 1))
+            found = frame.places[frame.ends].mean(axis=1)[:, 2], energies
+    return found
 
 
 def about_fingers(made: WirePrint, forecast: Forecast, grip: Grip) -> list[Band]:

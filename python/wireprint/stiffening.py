@@ -30,9 +30,12 @@ if TYPE_CHECKING:
     from wireprint.regions import Region
     from wireprint.wire_print import WirePrint
 
-#: Heights of slabs that are tried throughout, as shares of the greatest, and in a part of them.
-_LOWER: Final = (0.75, 0.5, 0.35)
-_LOWER_IN_PART: Final = (0.5, 0.35)
+#: Heights of slabs that are tried throughout, as shares of those before, and in a part of them;
+#: and the least and the greatest of those that a forecast asks for.
+_LOWER: Final = (0.75, 0.5)
+_LOWER_IN_PART: Final = (0.6, 0.35)
+_LOWEST: Final = 0.35
+_HIGHEST: Final = 0.9
 #: Bands that hold more of a print's height than this are no part of it.
 _PART: Final = 0.8
 #: Low slabs from so many heights to others at most.
@@ -40,16 +43,25 @@ _MOST_BANDS: Final = 50
 #: A strand that is fed x times as much gives way by x⁻², may by √x, and bears x to the 1.5.
 _GIVES_WAY: Final = 2.5
 _BEARS: Final = 1.5
+#: Slabs that are x times as high take x to the -1.8 of the time, and give way by x to the 2.5.
+_TAKES: Final = -1.8
+_HIGHER_GIVES_WAY: Final = 2.5
+#: No print is taken that takes so many times as long: a thicker nozzle is the better way then.
+_LONGEST: Final = 4.0
 #: Fed more than that says: prints differ in more than the strand.
 _MARGIN: Final = 1.03
 #: What strands may be fed, `Wire.flow`; a slow hot end slows the head for it.
 _MOST_FLOW: Final = 3.0
-#: How often what was tried is gone on with, and with how many of it.
+#: How often what was tried is gone on with, and with how many of it; and how often what suffices is
+#: made cheaper.
 _ROUNDS: Final = 5
+_REFINED: Final = 2
 _GONE_ON_WITH: Final = 2
 #: A print that takes so much longer counts as one that takes no longer: what is gained by it is
 #: not measured in less.
 _NO_LONGER: Final = 0.02
+#: What gives way by more of what it did is not gone on with.
+_BETTER: Final = 0.97
 #: Giving way by so much of what it was is worth a print of its own if none suffices, and so is
 #: feeding by so much of what is fed.
 _WORTH: Final = 0.9
@@ -189,15 +201,13 @@ def stiffened(
 
         bases = [first]
         for _ in range(_ROUNDS):
-            found = tried([way for base in bases for way in _ways(base, kept)])
-            quickest = _quickest(known)
-            if quickest is None:
-                bases = _promising(bases, found)
-            else:
-                bases = [base for base in found if base.lacks > 1 and base.takes_s < quickest]
-                bases = sorted(bases, key=lambda one: one.lacks)[:1]
-        if "wire.flow" not in kept:
-            tried(_thinner(_best(first, known)))
+            longest_s = _longest_s(first, known)
+            found = tried([way for base in bases for way in _ways(base, kept, longest_s)])
+            bases = _promising(bases, found, _longest_s(first, known))
+            if not bases:
+                break
+        for _ in range(_REFINED):
+            tried(list(_cheaper(_best(first, known), kept)))
     best = _best(first, known)
     told = Stiffened(
         best.way.overrides(),
@@ -214,14 +224,16 @@ def stiffened(
     return best.made, best.forecast, told
 
 
-def _quickest(known: dict[_Way, _Print | None]) -> float | None:
-    """Return how long the quickest print takes that suffices, s."""
-    return min((one.takes_s for one in known.values() if one and one.lacks <= 1), default=None)
+def _longest_s(first: _Print, known: dict[_Way, _Print | None]) -> float:
+    """Return what a print may take to be taken, s: less than any that suffices."""
+    enough = (one.takes_s for one in known.values() if one and one.lacks <= 1)
+    return min(enough, default=_LONGEST * first.takes_s)
 
 
 def _best(first: _Print, known: dict[_Way, _Print | None]) -> _Print:
     """Return the quickest that suffices, else what falls short least, if that is worth it."""
-    found = [one for one in known.values() if one is not None]
+    longest_s = _LONGEST * first.takes_s
+    found = [one for one in known.values() if one is not None and one.takes_s <= longest_s]
     enough = [one for one in found if one.lacks <= 1]
     if enough:
         return min(enough, key=lambda one: one.takes_s)
@@ -229,10 +241,11 @@ def _best(first: _Print, known: dict[_Way, _Print | None]) -> _Print:
     return least if least.lacks < _WORTH * first.lacks else first
 
 
-def _promising(bases: list[_Print], found: list[_Print]) -> list[_Print]:
+def _promising(bases: list[_Print], found: list[_Print], longest_s: float) -> list[_Print]:
     """Return what is gone on with: that which gains most for its time, and what lacks least."""
     before = min(bases, key=lambda one: one.lacks)
-    better = [one for one in found if one.lacks < _WORTH * before.lacks]
+    short = [one for one in found if one.lacks > 1 and one.takes_s < longest_s]
+    better = [one for one in short if one.lacks < _BETTER * before.lacks]
 
     def gain(one: _Print) -> float:
         longer = max(math.log(one.takes_s / before.takes_s), _NO_LONGER)
@@ -244,9 +257,9 @@ def _promising(bases: list[_Print], found: list[_Print]) -> list[_Print]:
     return list({one.way: one for one in ordered}.values())[:_GONE_ON_WITH]
 
 
-def _ways(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+def _ways(base: _Print, kept: frozenset[str], longest_s: float) -> Iterator[_Way]:
     """Return what to try next where a print gives way."""
-    lower = list(_lower(base, kept))
+    lower = list(_lower(base, kept, longest_s))
     if "wire.flow" in kept or base.made.settings.wire.flow >= _MOST_FLOW:
         yield from lower
         return
@@ -255,7 +268,7 @@ def _ways(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
     yield from (way for way in lower if base.wanted_flow <= _MOST_FLOW)
 
 
-def _lower(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+def _lower(base: _Print, kept: frozenset[str], longest_s: float) -> Iterator[_Way]:
     """Return ways with lower slabs: about what gives way, and throughout."""
     settings = base.made.settings
     high, low = settings.slab_max_mm, settings.slab_min_mm
@@ -269,9 +282,11 @@ def _lower(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
                 if len(slabs) <= _MOST_BANDS:
                     yield replace(base.way, low_slabs_mm=slabs)
     if "wire.slab_max_mm" not in kept:
-        for share in _LOWER:
+        asked = base.lacks ** (-1 / _HIGHER_GIVES_WAY) / _MARGIN
+        for share in (min(max(asked, _LOWEST), _HIGHEST), *_LOWER):
             height = round(max(share * high, low), _DIGITS)
-            if height < high:
+            takes_s = base.takes_s * (height / high) ** _TAKES
+            if height < high and takes_s < longest_s:
                 yield replace(base.way, slab_max_mm=height)
 
 
@@ -297,12 +312,16 @@ def _with(
     )
 
 
-def _thinner(best: _Print) -> list[_Way]:
-    """Return the way of a print that suffices with strands that are fed no more than it takes."""
+def _cheaper(best: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+    """Return ways of a print that suffices with no more than it takes."""
+    if best.lacks > _WORTH:
+        return
     flow = _rounded_up(best.wanted_flow)
-    if best.way.flow is not None and best.lacks <= 1 and flow < _WORTH * best.way.flow:
-        return [replace(best.way, flow=flow)]
-    return []
+    if best.way.flow is not None and flow < _WORTH * best.way.flow and "wire.flow" not in kept:
+        yield replace(best.way, flow=flow)
+    if best.way.slab_max_mm is not None:
+        higher = best.lacks ** (-1 / _HIGHER_GIVES_WAY) / _MARGIN
+        yield replace(best.way, slab_max_mm=round(higher * best.way.slab_max_mm, _DIGITS))
 
 
 def _rounded_up(value: float) -> float:

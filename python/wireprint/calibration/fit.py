@@ -16,7 +16,8 @@ import numpy as np
 from wireprint import _core
 from wireprint.calibration.answers import SAG_MM
 from wireprint.calibration.tents import LENGTHS_MM
-from wireprint.forecast_terms import air_mm_s, matter_of
+from wireprint.cooling import holds_s
+from wireprint.forecast_terms import air_mm_s
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -125,8 +126,9 @@ def _model(
     of strands by length and speed.
     """
     shorter = [_shorter(settings, speed) for speed in drawn]
-    matter = matter_of(settings.material, settings.strand_mm)
+    matter = settings.material.matter(settings.strand_mm)
     air, hold_c = air_mm_s(settings), settings.material.holding_c
+    post = (settings.slab_max_mm, settings.print_mm_s, settings.wire.pull_n)
     speeds = sorted({speed for _, speed in strands})
 
     def predicted(place: Array) -> Array:
@@ -137,7 +139,7 @@ def _model(
             "draw": max(matter["draw"] + drawn, 1.0),
         }
         speed = air * math.exp(blown)
-        pause = _core.cooling_time(matter, hold_c + hotter, speed)
+        pause = holds_s(other, hold_c + hotter, speed, post)
         found = [pause, *(share * pause for share in shorter)]
         sags: dict[tuple[float, float], float] = {}
         for laid in speeds:
@@ -153,7 +155,7 @@ def _shorter(settings: Settings, speed_mm_s: float) -> float:
     """Return the pause of a post that is drawn at a speed, to that at the speed of printing."""
     if speed_mm_s == settings.print_mm_s:
         return 1.0
-    matter, air = matter_of(settings.material, settings.strand_mm), air_mm_s(settings)
+    matter, air = settings.material.matter(settings.strand_mm), air_mm_s(settings)
     height, pull = min(_POST_MM, settings.slab_max_mm), settings.wire.pull_n
     own, other = (
         _core.holding_pause(matter, air, height, speed, pull, _LONGEST_S)

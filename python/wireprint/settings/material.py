@@ -62,8 +62,25 @@ class Material(Section):
         """Temperature at which a strand bears the nozzle's pull, °C."""
         return self.glass_c + _HOLDS_ABOVE_GLASS_K if self.hold_c is None else self.hold_c
 
+    def matter(self, strand_mm: float) -> dict[str, float]:
+        """Return what the core knows of a strand: its diameter in mm, and the material."""
+        return {
+            "strand_mm": strand_mm,
+            "nozzle_c": self.nozzle_c,
+            "air_c": self.air_c,
+            "density_g_cm3": self.density_g_cm3,
+            "specific_heat_j_kgk": self.specific_heat_j_kgk,
+            "conductivity_w_mk": self.conductivity_w_mk,
+            # What is said of the temperature at which strands hold moves all that depends on it.
+            "glass_c": self.holding_c - _HOLDS_ABOVE_GLASS_K,
+            "modulus_mpa": self.modulus_mpa,
+            "melt_viscosity_pa_s": self.melt_viscosity_pa_s,
+            "plateau_modulus_pa": self.plateau_modulus_pa,
+            "draw": self.draw,
+        }
+
     def solidify_s(self, strand_mm: float, air_mm_s: float) -> float:
-        """Time in which a strand cools until it holds, s.
+        """Time in which a strand cools to the temperature at which it holds, s.
 
         Parameters
         ----------
