@@ -13,7 +13,7 @@ use solids::{moved, sphere};
 use wireprint_core::contours::{Contour, contours, sliced};
 use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::{Plane, Side, cut};
-use wireprint_core::wireframe::plan::strips::{Slab, all_strips};
+use wireprint_core::wireframe::plan::strips::{Slab, strips};
 
 /// A sphere of radius 39 mm that stands on the bed, with about `4 n²` triangles.
 fn ball(n: usize) -> Mesh {
@@ -46,7 +46,7 @@ fn slicing(c: &mut Criterion) {
     group.finish();
 }
 
-fn strips(c: &mut Criterion) {
+fn strips_of_slabs(c: &mut Criterion) {
     let mesh = ball(573);
     let lower = sliced(&mesh, &planes(&mesh, 30, Side::Above), 0.0);
     let upper = sliced(&mesh, &planes(&mesh, 30, Side::Below), 0.0);
@@ -59,9 +59,9 @@ fn strips(c: &mut Criterion) {
     };
     let slabs: Vec<Slab> = (0..29).map(slab).collect();
     c.bench_function("strips of 29 slabs, 1.3M triangles", |b| {
-        b.iter(|| all_strips(black_box(&mesh), &slabs));
+        b.iter(|| strips(black_box(&mesh), &slabs));
     });
 }
 
-criterion_group!(benches, slicing, strips);
+criterion_group!(benches, slicing, strips_of_slabs);
 criterion_main!(benches);

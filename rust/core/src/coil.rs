@@ -11,7 +11,7 @@
 use glam::DVec2;
 
 use crate::climb::{Climb, strokes_take};
-use crate::geometry::curve::segment_distance;
+use crate::geometry::polyline::segment_distance;
 
 /// Turns lie this many diameters from each other, middle to middle: they must weld. Doubled, they no
 /// longer touch; halved, a coil takes twice as long.

@@ -5,8 +5,9 @@ use glam::{DVec2, DVec3, dvec2};
 use proptest::prelude::*;
 use wireprint_core::check::{Bed, Certificate, Limits, Rules, Settling, certify_text};
 use wireprint_core::gcode::arc::Fineness;
+use wireprint_core::gcode::dialect::Dialect;
 use wireprint_core::gcode::homing::{Homing, Way};
-use wireprint_core::gcode::machine::{Dialect, MachineSettings};
+use wireprint_core::gcode::machine::MachineSettings;
 use wireprint_core::gcode::retraction::Retraction;
 use wireprint_core::head::Head;
 

@@ -5,8 +5,8 @@
 
 use glam::DVec2;
 use proptest::prelude::*;
-use wireprint_core::geometry::curve::segment_distance;
 use wireprint_core::geometry::polygon;
+use wireprint_core::geometry::polyline::segment_distance;
 use wireprint_core::wireframe::flat::bare::bare;
 use wireprint_core::wireframe::flat::deck::{Deck, deck};
 use wireprint_core::wireframe::flat::face::{Face, LineLimits, LinesWanted};

@@ -5,9 +5,10 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 use proptest::prelude::*;
 use wireprint_core::gcode::arc::Fineness;
+use wireprint_core::gcode::dialect::Dialect;
 use wireprint_core::gcode::event::{Event, Step};
 use wireprint_core::gcode::homing::{Homing, Way};
-use wireprint_core::gcode::machine::{Dialect, Machine, MachineSettings};
+use wireprint_core::gcode::machine::{Machine, MachineSettings};
 use wireprint_core::gcode::reader::Commands;
 use wireprint_core::gcode::retraction::Retraction;
 

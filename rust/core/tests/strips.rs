@@ -11,7 +11,7 @@ use solids::{Random, cuboid, moved, revolved, sphere, together, torus};
 use wireprint_core::contours::{Contour, sliced};
 use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::{Plane, Side};
-use wireprint_core::wireframe::plan::strips::{Slab, Strip, all_strips, ledges, strips};
+use wireprint_core::wireframe::plan::strips::{Slab, Strip, ledges, strips};
 
 fn slice(mesh: &Mesh, z: f64, side: Side) -> Vec<Contour> {
     sliced(mesh, &[Plane { z, side }], 0.0).remove(0)
@@ -20,11 +20,14 @@ fn slice(mesh: &Mesh, z: f64, side: Side) -> Vec<Contour> {
 fn between(mesh: &Mesh, low: f64, high: f64) -> Vec<Strip> {
     let lower = slice(mesh, low, Side::Above);
     let upper = slice(mesh, high, Side::Below);
-    strips(mesh, low, &lower, high, &upper)
+    let slab = Slab { z_lower: low, lower: &lower, z_upper: high, upper: &upper };
+    strips(mesh, &[slab]).remove(0)
 }
 
 fn ledges_at(mesh: &Mesh, z: f64) -> Vec<Strip> {
-    ledges(mesh, z, &slice(mesh, z, Side::Below), z, &slice(mesh, z, Side::Above))
+    let (lower, upper) = (slice(mesh, z, Side::Below), slice(mesh, z, Side::Above));
+    let slab = Slab { z_lower: z, lower: &lower, z_upper: z, upper: &upper };
+    ledges(mesh, &[slab]).remove(0)
 }
 
 fn counts(strips: &[Strip]) -> Vec<(usize, usize)> {
@@ -147,23 +150,14 @@ fn strips_and_ledges_of_any_heights_share_out_the_whole_surface() {
                 upper: &upper[i + 1],
             })
             .collect();
-        let all = all_strips(&mesh, &slabs);
+        let all = strips(&mesh, &slabs);
         let area: f64 = all.iter().flatten().map(|strip| strip.area).sum();
         assert_close(area, mesh.area(), 1e-9 * mesh.area());
-        for (slab, strips) in slabs.iter().zip(&all) {
-            let mut touched: Vec<u32> = strips.iter().flat_map(|s| s.lower.clone()).collect();
+        for (slab, found) in slabs.iter().zip(&all) {
+            let mut touched: Vec<u32> = found.iter().flat_map(|s| s.lower.clone()).collect();
             touched.sort_unstable();
             assert_eq!(touched, (0..slab.lower.len() as u32).collect::<Vec<_>>());
-            assert_eq!(
-                *strips,
-                wireprint_core::wireframe::plan::strips::strips(
-                    &mesh,
-                    slab.z_lower,
-                    slab.lower,
-                    slab.z_upper,
-                    slab.upper
-                )
-            );
+            assert_eq!(*found, strips(&mesh, std::slice::from_ref(slab)).remove(0));
         }
     }
 }

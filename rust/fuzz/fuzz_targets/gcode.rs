@@ -10,7 +10,8 @@ use planner_common::LIMITS;
 use wireprint_core::check::{Bed, Limits as Bounds, Rules, Settling, certify_text};
 use wireprint_core::gcode::arc::Fineness;
 use wireprint_core::gcode::homing::{Homing, Way};
-use wireprint_core::gcode::machine::{Dialect, MachineSettings};
+use wireprint_core::gcode::dialect::Dialect;
+use wireprint_core::gcode::machine::MachineSettings;
 use wireprint_core::gcode::retraction::Retraction;
 use wireprint_core::head::Head;
 use wireprint_core::planner::{

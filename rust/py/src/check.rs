@@ -10,8 +10,9 @@ use serde::Deserialize;
 use wireprint_core::check::{self, Bound as Limit, LooseEnd, Obstacle, Rules};
 use wireprint_core::fidelity::{self, Terms};
 use wireprint_core::gcode::arc::Fineness;
+use wireprint_core::gcode::dialect::Dialect;
 use wireprint_core::gcode::homing::Homing;
-use wireprint_core::gcode::machine::{Dialect, MachineSettings};
+use wireprint_core::gcode::machine::MachineSettings;
 use wireprint_core::gcode::modes::Modes;
 use wireprint_core::gcode::retraction::Retraction;
 

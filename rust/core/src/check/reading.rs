@@ -6,9 +6,10 @@ use super::deposit::Dwell;
 use super::nozzle::Nozzle;
 use super::verdict::{Cold, Unhomed, Unjudged};
 use crate::gcode::command::{Axes, Command};
+use crate::gcode::dialect::Dialect;
 use crate::gcode::event::{Event, Step};
 use crate::gcode::extrusion;
-use crate::gcode::machine::{Dialect, Machine, MachineSettings};
+use crate::gcode::machine::{Machine, MachineSettings};
 use crate::gcode::reader::Commands;
 use crate::gcode::vocabulary::{self, Effect};
 

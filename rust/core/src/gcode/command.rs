@@ -211,6 +211,12 @@ impl Words<'_> {
         found
     }
 
+    /// The share that S sets in per cent; only a positive one can be meant.
+    #[must_use]
+    pub fn share(&self) -> Option<f64> {
+        self.get(b'S').filter(|percent| *percent > 0.0 && percent.is_finite()).map(|p| p / 100.0)
+    }
+
     /// The value of `NAME=value` in a named command, the name in any case.
     #[must_use]
     pub fn named(&self, name: &[u8]) -> Option<f64> {

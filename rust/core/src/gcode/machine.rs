@@ -6,40 +6,25 @@
 //! arcs given by R; all are read here, since other firmwares print them. What may not be known is
 //! reported beside ([`Event::Word`], [`Event::Other`]), for those who must be sure.
 
-use std::f64::consts::PI;
-
 use glam::DVec3;
 
 use super::arc::{self, Fineness};
 use super::command::{Axes, CentreWords, Command, Plane, Words};
+use super::dialect::Dialect;
 use super::event::{Event, Step};
+use super::extruder::Extruder;
 use super::features::{Features, Remark};
+use super::feedrate::Feedrate;
 use super::homing::Homing;
 use super::reader::parse_line;
 use super::retraction::Retraction;
 
-/// Feed before the first F word, mm/s (both Klipper and Marlin).
-const INITIAL_SPEED: f64 = 25.0;
-
 const MM_PER_INCH: f64 = 25.4;
-
-/// Marlin's `DEFAULT_NOMINAL_FILAMENT_DIA`, mm: for an M200 that states none.
-const FILAMENT_DIAMETER: f64 = 1.75;
 
 /// Chords that the arcs of a text may come to where only their shape matters: so many, and so many
 /// more for each line, so that memory grows with the text and not with the radii in it.
 const CHORDS: u64 = 1 << 18;
 const CHORDS_PER_LINE: u64 = 32;
-
-/// Whose reading of ambiguous commands applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Dialect {
-    /// G4 reads P only; G91 makes E relative while it lasts, G90 leaves M83 standing.
-    Klipper,
-    /// G4 lets S win over P; G90 and G91 set E too, as M82 and M83 do. Also `RepRapFirmware`'s
-    /// and Repetier's kin, as far as files have both.
-    Marlin,
-}
 
 /// What the interpreter must know of the printer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,22 +54,11 @@ pub struct Machine {
     /// Filament that G10 holds back, mm.
     retracted: Option<f64>,
     retraction: Retraction,
-    /// Reading of the extruder's axis in the file's coordinates, before M200 and M221.
-    extruder: f64,
     relative: bool,
-    relative_extrusion: bool,
+    extruder: Extruder,
     plane: Plane,
     mm_per_unit: f64,
-    /// Feed as written, mm/s.
-    feed: f64,
-    feed_factor: f64,
-    /// What M220 B keeps for M220 R.
-    kept_feed_factor: f64,
-    flow_factor: f64,
-    /// Cross-section of the filament where E is a volume, mm².
-    volumetric: Option<f64>,
-    /// Diameter that M200 stated last, mm.
-    filament_diameter: f64,
+    feed: Feedrate,
     tool: u32,
     /// Which of X, Y and Z know where they are.
     homed: [bool; 3],
@@ -103,17 +77,11 @@ impl Machine {
             hop: 0.0,
             retracted: None,
             retraction: settings.retraction,
-            extruder: 0.0,
             relative: false,
-            relative_extrusion: settings.relative_extrusion,
+            extruder: Extruder::new(settings.relative_extrusion),
             plane: Plane::Xy,
             mm_per_unit: 1.0,
-            feed: INITIAL_SPEED,
-            feed_factor: 1.0,
-            kept_feed_factor: 1.0,
-            flow_factor: 1.0,
-            volumetric: None,
-            filament_diameter: FILAMENT_DIAMETER,
+            feed: Feedrate::new(),
             tool: 0,
             homed: [false; 3],
             chords: 0,
@@ -138,24 +106,23 @@ impl Machine {
     /// the last move (M83).
     #[must_use]
     pub fn extruder(&self) -> (f64, bool) {
-        (self.extruder, self.relative_extrusion)
+        (self.extruder.reading, self.extruder.relative)
     }
 
     /// Feed as it is written, mm/s.
     #[must_use]
     pub fn feed(&self) -> f64 {
-        self.feed
+        self.feed.written
     }
 
     /// Whether a move means what it says: coordinates count from the machine's origin (G90, no G92 of
     /// axes), in mm, and neither feed nor filament is scaled.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let scales = [self.mm_per_unit, self.feed_factor, self.flow_factor];
         !self.relative
             && self.offset == DVec3::ZERO
-            && self.volumetric.is_none()
-            && scales == [1.0; 3]
+            && [self.mm_per_unit, self.feed.factor] == [1.0; 2]
+            && self.extruder.is_plain()
     }
 
     /// Whether coordinates count from the last move (G91).
@@ -202,7 +169,7 @@ impl Machine {
         axes: &Axes,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        if !self.set_feed(axes.f) {
+        if !self.feed.set(axes.f, self.mm_per_unit) {
             report(Event::Word(b'F'));
         }
         let to = self.target(axes);
@@ -224,7 +191,7 @@ impl Machine {
             return;
         }
         self.position = to;
-        let speed = self.feed * self.feed_factor;
+        let speed = self.feed.speed();
         let feature = self.features.current;
         report(Event::Step(Step {
             line,
@@ -246,7 +213,7 @@ impl Machine {
         centre: CentreWords,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        if !self.set_feed(axes.f) {
+        if !self.feed.set(axes.f, self.mm_per_unit) {
             report(Event::Word(b'F'));
         }
         let from = self.position;
@@ -322,10 +289,10 @@ impl Machine {
                 self.relative = relative;
                 // Of E that must be relative G90 says nothing: a macro did, before or behind it.
                 if self.settings.dialect == Dialect::Marlin {
-                    self.relative_extrusion = relative || self.settings.relative_extrusion;
+                    self.extruder.relative = relative || self.settings.relative_extrusion;
                 }
             }
-            Command::Extrusion { relative, .. } => self.relative_extrusion = relative,
+            Command::Extrusion { relative, .. } => self.extruder.relative = relative,
             Command::SetPosition { axes, other } => {
                 self.set_position(&axes, other.is_some());
                 if let Some(word) = other {
@@ -333,7 +300,7 @@ impl Machine {
                 }
             }
             Command::M(200, words) => {
-                self.set_volumetric(words);
+                self.extruder.set_volumetric(words);
                 report(Event::Other(*command));
             }
             Command::M(18 | 84, words) => {
@@ -351,8 +318,8 @@ impl Machine {
             {
                 report(Event::Other(*command));
             }
-            Command::M(220, words) => self.set_feed_factor(words),
-            Command::M(221, words) => set_percent(&mut self.flow_factor, words.get(b'S')),
+            Command::M(220, words) => self.feed.scale(words, self.settings.dialect),
+            Command::M(221, words) => self.extruder.scale(words),
             ref other => {
                 self.retraction.command(other);
                 report(Event::Other(*other));
@@ -439,44 +406,6 @@ impl Machine {
         seconds.unwrap_or(0.0).max(0.0)
     }
 
-    /// Sets a feed that is stated; whether it can be one. Zero or less changes nothing, as in Marlin;
-    /// Klipper ends the print at it, and RepRapFirmware crawls.
-    #[inline]
-    fn set_feed(&mut self, per_minute: Option<f64>) -> bool {
-        let Some(per_minute) = per_minute else { return true };
-        let speed = per_minute * self.mm_per_unit / 60.0;
-        let valid = speed > f64::EPSILON;
-        if valid {
-            self.feed = speed;
-        }
-        valid
-    }
-
-    /// M220: S sets; in Marlin R brings back what B kept before.
-    fn set_feed_factor(&mut self, words: Words<'_>) {
-        let factor = self.feed_factor;
-        if self.settings.dialect == Dialect::Marlin {
-            if words.has(b'R') {
-                self.feed_factor = self.kept_feed_factor;
-            }
-            if words.has(b'B') {
-                self.kept_feed_factor = factor;
-            }
-        }
-        set_percent(&mut self.feed_factor, words.get(b'S'));
-    }
-
-    /// M200: with a diameter E is a volume from here on, with D0 or S0 a length again.
-    fn set_volumetric(&mut self, words: Words<'_>) {
-        let (diameter, switch) = (words.get(b'D'), words.get(b'S'));
-        if let Some(diameter) = diameter.filter(|diameter| *diameter > 0.0) {
-            self.filament_diameter = diameter;
-        }
-        let on = switch.or(diameter).is_some_and(|value| value > 0.0);
-        let radius = self.filament_diameter / 2.0;
-        self.volumetric = on.then_some(PI * radius * radius);
-    }
-
     #[inline]
     fn target(&self, axes: &Axes) -> DVec3 {
         DVec3::new(
@@ -500,22 +429,12 @@ impl Machine {
     fn feed_filament(&mut self, word: Option<f64>) -> f64 {
         let Some(value) = word else { return 0.0 };
         let value = value * self.mm_per_unit;
-        let klipper = self.settings.dialect == Dialect::Klipper;
-        let feed = if self.relative_extrusion || (klipper && self.relative) {
-            value
-        } else {
-            value - self.extruder
-        };
-        self.extruder += feed;
-        match self.volumetric {
-            None => feed * self.flow_factor,
-            Some(section) => feed * self.flow_factor / section,
-        }
+        self.extruder.feed(value, self.relative && self.settings.dialect == Dialect::Klipper)
     }
 
     fn home<'a>(&mut self, line: u64, named: [bool; 3], report: &mut impl FnMut(Event<'a>)) {
         let homing = self.settings.homing;
-        let (speed, feature) = (self.feed, self.features.current);
+        let (speed, feature) = (self.feed.written, self.features.current);
         for to in homing.strokes(self.position, named).iter() {
             let from = std::mem::replace(&mut self.position, to);
             if from != to {
@@ -564,14 +483,7 @@ impl Machine {
             }
         }
         if let Some(value) = if bare { Some(0.0) } else { axes.e } {
-            self.extruder = value * self.mm_per_unit;
+            self.extruder.reading = value * self.mm_per_unit;
         }
-    }
-}
-
-/// Only a positive percentage changes a factor.
-fn set_percent(factor: &mut f64, percent: Option<f64>) {
-    if let Some(percent) = percent.filter(|p| *p > 0.0 && p.is_finite()) {
-        *factor = percent / 100.0;
     }
 }

@@ -2,9 +2,12 @@
 
 pub mod arc;
 pub mod command;
+pub mod dialect;
 pub mod event;
+mod extruder;
 pub mod extrusion;
 mod features;
+mod feedrate;
 pub mod fixed;
 pub mod homing;
 pub mod lines;

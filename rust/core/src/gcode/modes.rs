@@ -41,8 +41,9 @@ impl Modes {
 mod tests {
     use super::Modes;
     use crate::gcode::arc::Fineness;
+    use crate::gcode::dialect::Dialect;
     use crate::gcode::homing::Homing;
-    use crate::gcode::machine::{Dialect, MachineSettings};
+    use crate::gcode::machine::MachineSettings;
     use crate::gcode::retraction::Retraction;
 
     fn after(text: &str) -> Modes {

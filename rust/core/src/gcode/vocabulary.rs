@@ -5,7 +5,7 @@
 //! commands".
 
 use super::command::{Command, Words};
-use super::machine::Dialect;
+use super::dialect::Dialect;
 
 /// What a command does to the head, the bed and the frame of coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -11,5 +11,6 @@ pub mod nearest;
 pub mod nearest_first;
 pub mod passing;
 pub mod polygon;
+pub mod polyline;
 pub mod segments;
 pub mod tour;

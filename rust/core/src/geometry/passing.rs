@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::geometry::cells::Cells;
-use crate::geometry::curve::segment_distance;
+use crate::geometry::polyline::segment_distance;
 
 /// A segment counts to the cells that it touches but for this part of a cell's side.
 const ROUNDING: f64 = 1e-6;

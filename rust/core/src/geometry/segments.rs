@@ -183,7 +183,7 @@ mod tests {
             let [a, b] = ends[near.segment];
             prop_assert!((a.lerp(b, near.t).distance_squared(p) - near.square).abs() < 1e-9);
             for [a, b] in ends {
-                let away = super::super::curve::segment_distance(p, a, b);
+                let away = super::super::polyline::segment_distance(p, a, b);
                 prop_assert!(near.square.sqrt() <= away + 1e-9);
             }
         }

@@ -73,17 +73,6 @@ impl Lattice {
         Ok(Self { nodes, edges, forms, first })
     }
 
-    /// A lattice whose struts are all straight.
-    ///
-    /// # Errors
-    /// As [`Lattice::new`].
-    pub fn straight(nodes: Vec<DVec3>, edges: Vec<[u32; 2]>) -> Result<Self> {
-        let place = |node: u32| nodes.get(node as usize).copied().unwrap_or_default();
-        let form = |(strut, edge): (u32, &[u32; 2])| Form { strut, knees: edge.map(place) };
-        let forms = (0..).zip(&edges).map(form).collect();
-        Self::new(nodes, edges, forms)
-    }
-
     /// Number of struts.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -10,8 +10,16 @@ fn rules() -> Rules {
     Rules { strand: 0.7, bed: 0.4, span: 65.0, free_end: 20.0, most_steps: 100_000 }
 }
 
+/// A lattice whose struts are all straight.
+fn straight(nodes: Vec<DVec3>, edges: &[[u32; 2]]) -> Result<Lattice> {
+    let place = |node: u32| nodes.get(node as usize).copied().unwrap_or_default();
+    let form = |(strut, edge): (u32, &[u32; 2])| Form { strut, knees: edge.map(place) };
+    let forms = (0..).zip(edges).map(form).collect();
+    Lattice::new(nodes, edges.to_vec(), forms)
+}
+
 fn lattice(nodes: &[[f64; 3]], edges: &[[u32; 2]]) -> Lattice {
-    Lattice::straight(nodes.iter().map(|&n| n.into()).collect(), edges.to_vec()).unwrap()
+    straight(nodes.iter().map(|&n| n.into()).collect(), edges).unwrap()
 }
 
 /// A pyramid on the bed: four feet, four struts to the top.
@@ -160,12 +168,10 @@ fn the_same_lattice_gives_the_same_order_on_any_number_of_threads() {
 
 #[test]
 fn what_is_no_lattice_is_refused() {
-    let at = |edges: &[[u32; 2]]| {
-        Lattice::straight(vec![DVec3::ZERO, dvec3(0., 0., 1.)], edges.to_vec())
-    };
+    let at = |edges: &[[u32; 2]]| straight(vec![DVec3::ZERO, dvec3(0., 0., 1.)], edges);
     assert!(at(&[[0, 2]]).is_err());
     assert!(at(&[[1, 1]]).is_err());
-    assert!(Lattice::straight(vec![DVec3::NAN], Vec::new()).is_err());
+    assert!(straight(vec![DVec3::NAN], &[]).is_err());
     let empty = at(&[]).unwrap();
     assert!(empty.is_empty() && order(&empty, &head(), &rules()).strokes.is_empty());
 }

@@ -5,8 +5,9 @@ use serde::Deserialize;
 
 use crate::error::{CoreError, Result};
 use crate::gcode::arc::Fineness;
+use crate::gcode::dialect::Dialect;
 use crate::gcode::homing::{Homing, Way};
-use crate::gcode::machine::{Dialect, MachineSettings};
+use crate::gcode::machine::MachineSettings;
 use crate::gcode::retraction::Retraction;
 
 /// Whose planner is computed.

@@ -1,7 +1,5 @@
 //! What the toolpath depends on.
 
-use std::f64::consts::FRAC_PI_4;
-
 use glam::DVec2;
 use serde::Deserialize;
 
@@ -152,12 +150,6 @@ impl PathParams {
     #[must_use]
     pub fn feed_per_mm(&self) -> f64 {
         (self.strand / self.filament).powi(2)
-    }
-
-    /// Cross-section of the filament, mm².
-    #[must_use]
-    pub fn filament_area(&self) -> f64 {
-        FRAC_PI_4 * self.filament * self.filament
     }
 
     /// Whether something at this height lies on the bed.

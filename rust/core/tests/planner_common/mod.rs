@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "each test file uses some of them")]
 
-use wireprint_core::gcode::machine::Dialect;
+use wireprint_core::gcode::dialect::Dialect;
 use wireprint_core::planner::{
     Allowances, Estimate, Firmware, Kinematics, Limits, MarlinLimits, Options, estimate,
 };

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::*;
-use crate::geometry::curve::segment_distance;
+use crate::geometry::polyline::segment_distance;
 use crate::printer::PATH;
 use crate::toolpath::Plate;
 

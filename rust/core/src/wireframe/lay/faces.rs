@@ -82,7 +82,8 @@ pub fn fill_ledge(
     printed: &mut Ground,
     ground: &Ground,
 ) {
-    if !cx.p.caps || !spans(step, ledge) {
+    let change = ledge.change(step.below, step.contours);
+    if !cx.p.caps || ledge.area <= 0.0 || !ledge.is_face_of(change) {
         return;
     }
     let below = ledge.lower.iter().map(|&i| &printed.rims[i as usize]);
@@ -95,15 +96,6 @@ pub fn fill_ledge(
     let looks = if ledge.plan < 0.0 { Looks::Down } else { Looks::Up };
     let lines = fill_bare(cx, journal, &place, (&places, area), looks);
     printed.lines.extend(lines);
-}
-
-/// Whether a ledge is a face all over: of an open surface, it may be no more than a rim.
-fn spans(step: &LevelStep, ledge: &Strip) -> bool {
-    let net = |contours: &[Contour], which: &[u32]| -> f64 {
-        which.iter().map(|&i| contours[i as usize].area).sum()
-    };
-    let change = net(step.below, &ledge.lower) - net(step.contours, &ledge.upper);
-    ledge.area > 0.0 && ledge.plan.abs() >= 0.5 * change.abs()
 }
 
 /// Closes bare places, each of which stands for `area` mm².

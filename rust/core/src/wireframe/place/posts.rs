@@ -3,7 +3,8 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::curve::{Curve, Station, simplify};
+use crate::geometry::curve::{Curve, Station};
+use crate::geometry::polyline::simplify;
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::place::tuning::CLOSE;

@@ -97,28 +97,27 @@ pub fn zigzag(
     let (curve, z, start, rims) = (input.curve, input.z, input.start, input.rims);
     let begin = Begin { s: start, foothold: input.from };
     let mut all = candidates(curve, z, begin, rims, input.strand, step, input.on_peaks);
-    let mut near = crowd(input, start, &mut all, least);
+    let mut is_crowded = crowd(input, start, &mut all, least);
     all.retain(|c| is_free(&c.post));
     let mut start = start;
     if !input.kept.is_empty() {
         let footing = Footing::new(rims);
         (start, all) = merged(all, input.kept, curve, start, &footing, input.strand, &is_free);
-        near = near.min(crowd(input, start, &mut all, least));
+        is_crowded |= crowd(input, start, &mut all, least);
     }
     let Some(first) = all.first().copied() else { return (start, Vec::new()) };
     let shift = if curve.is_closed() { first.post.s } else { 0.0 };
     for c in &mut all {
         c.post.s -= shift;
     }
-    (start + shift, chain(input, start + shift, &all, head, ideal, near))
+    (start + shift, chain(input, start + shift, &all, head, ideal, is_crowded))
 }
 
-/// Widens the spacing of candidates near other walls; tells how near the nearest comes, relative
-/// to the clearance.
-fn crowd(input: &ZigzagInput, start: f64, all: &mut [Candidate], least: f64) -> f64 {
-    let mut nearest = f64::INFINITY;
+/// Widens the spacing of candidates near other walls; tells whether there are any.
+fn crowd(input: &ZigzagInput, start: f64, all: &mut [Candidate], least: f64) -> bool {
+    let mut is_crowded = false;
     if input.walls.is_roomy(input.wall, least) {
-        return nearest;
+        return is_crowded;
     }
     for c in all {
         let place: DVec2 = c.post.peak.truncate();
@@ -126,10 +125,10 @@ fn crowd(input: &ZigzagInput, start: f64, all: &mut [Candidate], least: f64) -> 
         if gap < least {
             c.spacing = 2.0 * (least * least - gap * gap).sqrt() * ROOM;
             c.room = gap / least;
-            nearest = nearest.min(c.room);
+            is_crowded = true;
         }
     }
-    nearest
+    is_crowded
 }
 
 fn chain(
@@ -138,7 +137,7 @@ fn chain(
     all: &[Candidate],
     head: &Head,
     ideal: f64,
-    crowd: f64,
+    is_crowded: bool,
 ) -> Vec<ZigzagStep> {
     let strokes = Strokes::new(head, input.strand);
     let params = PostParams {
@@ -149,7 +148,7 @@ fn chain(
     };
     let through = place_through(input.curve, start, all, head, &params);
     let posts = through.unwrap_or_else(|| place(input.curve, start, all, head, &params));
-    let settled = match crowd < 1.0 {
+    let settled = match is_crowded {
         true if input.kept.is_empty() => settle(&posts, all, head),
         true => beside_kept(&posts, all, head),
         false => posts,

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::contours::{Contour, Difference, Region, difference};
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
-use crate::wireframe::plan::strips::{Slab, Strip, all_ledges, by_first};
+use crate::wireframe::plan::strips::{Slab, Strip, by_first, ledges};
 
 /// Slices close more than faces do where it is by more than this part: equal areas differ by rounding.
 const MORE: f64 = 0.01;
@@ -18,7 +18,7 @@ const MORE: f64 = 0.01;
 /// of a solid, by the slices where these close more.
 #[must_use]
 pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
-    let by_faces = all_ledges(mesh, slabs);
+    let by_faces = ledges(mesh, slabs);
     if mesh.neighbours.par_iter().any(|sides| sides.contains(&NO_FACE)) {
         // What an open surface has between two slices, only its faces tell.
         return by_faces;
@@ -33,13 +33,9 @@ pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
 
 /// Area of what strips close between their contours, mm².
 fn closed_area(slab: &Slab, strips: &[Strip]) -> f64 {
-    let net = |contours: &[Contour], which: &[u32]| -> f64 {
-        which.iter().map(|&i| contours[i as usize].area).sum()
-    };
     let closed = |strip: &Strip| {
-        let change = (net(slab.lower, &strip.lower) - net(slab.upper, &strip.upper)).abs();
-        let plan = strip.plan.abs();
-        if plan >= 0.5 * change { plan.min(change) } else { 0.0 }
+        let change = strip.change(slab.lower, slab.upper);
+        if strip.is_face_of(change) { strip.plan.abs().min(change.abs()) } else { 0.0 }
     };
     strips.iter().map(closed).sum()
 }

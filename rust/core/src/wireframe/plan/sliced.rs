@@ -15,7 +15,7 @@ use crate::slices::{Plane, Side};
 use crate::stroke::Strokes;
 use crate::wireframe::plan::ledges::ledges_of;
 use crate::wireframe::plan::sheets::{Bodies, is_lost_beside, is_lost_between};
-use crate::wireframe::plan::strips::{Slab, Strip, all_strips};
+use crate::wireframe::plan::strips::{Slab, Strip, strips};
 
 /// A model cut into slabs.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -111,7 +111,7 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
     let bodies = Bodies::new(mesh, &levels);
     let stacks = stacks(&levels, [&lower, &upper], &between, &bodies, params.strand);
     let ranges: Vec<Slab> = stacks.iter().flatten().flat_map(|s| s.slabs()).collect();
-    let (strips, found) = rayon::join(|| all_strips(mesh, &slabs), || ledges_of(mesh, &ranges));
+    let (strips, found) = rayon::join(|| strips(mesh, &slabs), || ledges_of(mesh, &ranges));
     let mut found = found.into_iter();
     let mut sheets: Vec<Vec<Sheet>> = vec![Vec::new(); levels.len()];
     let mut ledges: Vec<Option<Vec<Strip>>> = vec![None; levels.len()];

@@ -35,9 +35,26 @@ impl Strip {
     /// Whether the piece closes its contours, which are all on one side, like a roof or a floor.
     #[must_use]
     pub fn closes(&self, contours: &[Contour], which: &[u32]) -> bool {
-        let net: f64 = which.iter().map(|&i| contours[i as usize].area).sum();
-        self.plan.abs() >= 0.5 * net.abs()
+        self.is_face_of(net(contours, which))
     }
+
+    /// By how much its contours below hold more than those above, mm².
+    #[must_use]
+    pub fn change(&self, below: &[Contour], above: &[Contour]) -> f64 {
+        net(below, &self.lower) - net(above, &self.upper)
+    }
+
+    /// Whether the piece is a face all over, where its contours hold so much more on one side, mm²:
+    /// of an open surface, it may be no more than a rim.
+    #[must_use]
+    pub fn is_face_of(&self, change: f64) -> bool {
+        self.plan.abs() >= 0.5 * change.abs()
+    }
+}
+
+/// Area that contours hold together, mm².
+fn net(contours: &[Contour], which: &[u32]) -> f64 {
+    which.iter().map(|&i| contours[i as usize].area).sum()
 }
 
 /// An interval of heights with the contours of the slices that bound it.
@@ -53,48 +70,22 @@ pub struct Slab<'a> {
     pub upper: &'a [Contour],
 }
 
-/// The strips of one slab: `lower` cut at `z_lower` with `Side::Above`, `upper` at `z_upper`
-/// with `Side::Below`.
+/// The strips of each slab, all slabs at once: every face is visited once per slab it reaches. What
+/// is below a slab was cut with `Side::Above`, what is above it with `Side::Below`.
 ///
 /// Ordered by the first lower contour, then the first upper one; pieces that touch no contour
 /// (closed inside the slab) come last, by their smallest face. A piece that reaches a bounding
 /// height but has no contour there, because a union or the least length swallowed it, is left out.
 #[must_use]
-pub fn strips(
-    mesh: &Mesh,
-    z_lower: f64,
-    lower: &[Contour],
-    z_upper: f64,
-    upper: &[Contour],
-) -> Vec<Strip> {
-    let slab = Slab { z_lower, lower, z_upper, upper };
-    all_strips(mesh, &[slab]).pop().unwrap_or_default()
-}
-
-/// The [`strips`] of each slab, all slabs at once: every face is visited once per slab it reaches.
-#[must_use]
-pub fn all_strips(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
+pub fn strips(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
     pieces(mesh, slabs, Ends::Open)
 }
 
-/// Like [`strips`] for the surface between `z_lo` with `Side::Below` and `z_hi` with
-/// `Side::Above`, what lies exactly at these heights included: the faces in the plane are the
-/// area of a ledge of no height.
+/// Like [`strips`] for the surface between slices of which the lower was cut with `Side::Below` and
+/// the upper with `Side::Above`, what lies exactly at these heights included: the faces in the plane
+/// are the area of a ledge of no height.
 #[must_use]
-pub fn ledges(
-    mesh: &Mesh,
-    z_lo: f64,
-    below: &[Contour],
-    z_hi: f64,
-    above: &[Contour],
-) -> Vec<Strip> {
-    let slab = Slab { z_lower: z_lo, lower: below, z_upper: z_hi, upper: above };
-    all_ledges(mesh, &[slab]).pop().unwrap_or_default()
-}
-
-/// The [`ledges`] of each slab, all at once.
-#[must_use]
-pub fn all_ledges(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
+pub fn ledges(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
     pieces(mesh, slabs, Ends::Closed)
 }
 

@@ -4,8 +4,9 @@
 use glam::{DVec2, DVec3};
 
 use crate::error::{CoreError, Result};
-use crate::geometry::curve::{Curve, simplify};
+use crate::geometry::curve::Curve;
 use crate::geometry::polygon;
+use crate::geometry::polyline::simplify;
 use crate::wireframe::place::rim::Rim;
 use crate::wireframe::plan::sliced::Sliced;
 

@@ -8,7 +8,7 @@ use crate::contours::{Contour, sliced as cut_contours};
 use crate::mesh::Mesh;
 use crate::slices::{Plane, Side};
 use crate::wireframe::plan::sliced::{SPECK, Sliced};
-use crate::wireframe::plan::strips::{Slab, Strip, all_strips};
+use crate::wireframe::plan::strips::{Slab, Strip, strips};
 
 /// One layer of a slab.
 #[derive(Debug, Clone)]
@@ -94,7 +94,7 @@ fn name_strips(mesh: &Mesh, sliced: &Sliced, heights: &[f64], layers: &mut [Laye
                 }
             })
             .collect();
-        all_strips(mesh, &slabs)
+        strips(mesh, &slabs)
     };
     for layer in layers.iter_mut() {
         layer.strips = vec![None; layer.contours.len()];

@@ -101,3 +101,20 @@ fn a_face_is_wide_from_a_fifth_of_the_longest_free_end_on() {
         assert_eq!(top.wide, counts, "{wide}");
     }
 }
+
+/// A round top within a four-hundredth of the longest free end of a flat face is part of it; from that
+/// distance on it is a top of its own.
+#[test]
+fn a_peak_beside_a_flat_is_flat_as_far_as_nothing_shows() {
+    let p = HeightParams { free_end: 100.0, ..Printer::paper().heights };
+    let flat = moved(&cuboid(DVec3::ZERO, DVec3::new(20.0, 20.0, 8.0)), DMat3::IDENTITY, DVec3::X);
+    let tops = |apex: f64| {
+        let cone = revolved(&[(6.0, 0.0), (0.0, apex)], 12);
+        let mesh = together(&[flat.clone(), moved(&cone, DMat3::IDENTITY, DVec3::X * -30.0)]);
+        heights(&wanted_heights(&mesh, 0.0, 8.25, &p))
+    };
+    assert_eq!(tops(7.875), [7.875, 8.0]);
+    assert_eq!(tops(7.75), [7.75 - 0.35, 8.0]);
+    assert_eq!(tops(8.125), [8.0, 8.125]);
+    assert_eq!(tops(8.25), [8.25 - 0.35, 8.0]);
+}

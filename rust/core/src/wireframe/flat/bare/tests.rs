@@ -1,8 +1,8 @@
 //! Bare places, against every place of the grid looked at by itself.
 
 use super::*;
-use crate::geometry::curve::segment_distance;
 use crate::geometry::polygon;
+use crate::geometry::polyline::segment_distance;
 use crate::solids::Random;
 
 /// Every place of the grid, in its order, and what each stands for.

@@ -3,7 +3,7 @@
 use glam::DMat2;
 
 use super::*;
-use crate::geometry::curve::segment_distance;
+use crate::geometry::polyline::segment_distance;
 use crate::solids::Random;
 
 fn at(x: f64, y: f64) -> DVec2 {

@@ -1,7 +1,7 @@
 //! What lies on the bed: where rings begin, and how near they follow the model.
 
 use super::*;
-use crate::geometry::curve::segment_distance;
+use crate::geometry::polyline::segment_distance;
 use crate::wireframe::lay::scene::{Scene, closed, curve, square};
 
 /// A print whose last strand ended at a place.

@@ -4,8 +4,9 @@
 
 use super::*;
 use crate::contours::Contour;
-use crate::geometry::curve::segment_distance;
+use crate::geometry::polyline::segment_distance;
 use crate::solids::Random;
+use crate::strand::Strand;
 use crate::wireframe::lay::scene::{Scene, closed, curve, rim, square};
 
 /// Nearer to a corner than this its turn does not come, in strands.
@@ -93,6 +94,17 @@ fn laid(gap: f64) -> (Vec<Stay>, Vec<(usize, Rim)>) {
                 Some(last) if last.0 == ring => last.1 += 1,
                 _ => stays.push((ring, 1)),
             }
+        }
+        // However the rings rise, each ends in a level turn at the contour's height.
+        for (ring, _) in &found {
+            let top = height + 0.35;
+            let is_level = |s: &&Strand| s.from.z == top && s.to.z == top;
+            let level = journal.entries().strands.iter().filter(is_level);
+            let round: f64 = level
+                .filter(|s| (*ring == 1) == (s.from.x + s.to.x > 0.0))
+                .map(|s| s.from.distance(s.to))
+                .sum();
+            assert!((round / (TAU * radius) - 1.0).abs() < 0.1, "{round} mm of ring {ring}");
         }
         (stays, found)
     })

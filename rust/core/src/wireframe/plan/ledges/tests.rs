@@ -90,3 +90,18 @@ fn a_plate_too_thin_for_a_slice_is_told_by_its_faces() {
     let found = ledges_of(&cup, &[slab]).remove(0);
     assert!(found.iter().any(|strip| strip.closes(&upper, &[0]) && strip.upper == [0]));
 }
+
+#[test]
+fn a_ledge_is_a_face_where_its_plan_comes_to_half_of_what_its_contours_differ_by() {
+    let of = |area: f64| Contour { area, ..Contour::default() };
+    let (below, above) = ([of(500.0), of(-40.0)], [of(60.0), of(20.0)]);
+    let all = strip(&[0, 1], &[0, 1], 190.0);
+    assert_eq!(all.change(&below, &above), 500.0 - 40.0 - 60.0 - 20.0);
+    // By what the slices tell, 380 mm² of level face lie between them.
+    for (plan, closed) in [(189.0, 0.0), (190.0, 190.0), (-380.0, 380.0), (450.0, 380.0)] {
+        let ledge = strip(&[0, 1], &[0, 1], plan);
+        let slab = Slab { z_lower: 1.0, lower: &below, z_upper: 1.0, upper: &above };
+        assert_eq!(closed_area(&slab, &[ledge.clone(), strip(&[], &[], 0.0)]), closed, "{plan}");
+        assert_eq!(ledge.is_face_of(380.0), closed > 0.0);
+    }
+}
