@@ -14,12 +14,13 @@ use glam::{DMat3, DVec3};
 use solids::{moved, sphere};
 use wireprint_core::formats::{Facets, Format, load, read_stl};
 use wireprint_core::mesh::Mesh;
-use wireprint_core::mesh::place::{Placement, Up};
+use wireprint_core::mesh::place::{MeshPlacement, Up};
 use wireprint_core::mesh::repair::{Limits, repair};
 use wireprint_core::mesh::topology::Adjacency;
 
 const LIMITS: Limits = Limits { hole_perimeter: 0.1, weld_distance: 1e-5 };
-const AS_IS: Placement = Placement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
+const AS_IS: MeshPlacement =
+    MeshPlacement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
 
 fn binary(mesh: &Mesh) -> Vec<u8> {
     let mut bytes = vec![0; 80];

@@ -96,7 +96,9 @@ def _module_path(file):
 
 def _test_files(root):
     """Modules that are declared for tests alone."""
-    declared = re.compile(r"#\[cfg\(test\)\]\s*(?:#\[[^]]*\]\s*)*mod\s+(\w+)\s*;")
+    declared = re.compile(
+        r"#\[cfg\(test\)\]\s*(?:#\[[^]]*\]\s*)*(?:pub(?:\([^)]*\))?\s+)?mod\s+(\w+)\s*;"
+    )
     return {
         (*_module_path(file.relative_to(root)), name)
         for file in root.rglob("*.rs")

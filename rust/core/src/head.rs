@@ -14,12 +14,12 @@ use serde::Deserialize;
 use crate::error::{CoreError, Result};
 
 pub use body::Body;
-pub use part::{Part, Shape};
+pub use part::{HeadPart, Shape};
 pub use sweep::Hit;
 
 /// The head: a flat tip, a conical flank, the heater block, the carriage, and what is not round.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Figures")]
+#[serde(try_from = "HeadTable")]
 pub struct Head {
     /// Radius of the nozzle's flat tip, mm.
     pub tip_radius: f64,
@@ -34,7 +34,7 @@ pub struct Head {
     /// Radius of the carriage, mm.
     pub carriage_radius: f64,
     /// Fan ducts, probes, shrouds: what is beside the round body, or lower than it.
-    pub parts: Vec<Part>,
+    pub parts: Vec<HeadPart>,
 }
 
 /// The tip and the flank around it, which alone decide how the strokes of a zigzag may lie.
@@ -57,7 +57,7 @@ impl Flank {
 /// A head's figures by the names of a profile's `[head]` table: mm, and degrees from the horizontal.
 #[derive(Deserialize)]
 #[allow(clippy::struct_field_names, reason = "the profile's names carry the unit")]
-struct Figures {
+struct HeadTable {
     tip_radius_mm: f64,
     slant_deg: f64,
     cone_height_mm: f64,
@@ -65,13 +65,13 @@ struct Figures {
     carriage_height_mm: f64,
     carriage_radius_mm: f64,
     #[serde(default)]
-    parts: Vec<Part>,
+    parts: Vec<HeadPart>,
 }
 
-impl TryFrom<Figures> for Head {
+impl TryFrom<HeadTable> for Head {
     type Error = CoreError;
 
-    fn try_from(of: Figures) -> Result<Self> {
+    fn try_from(of: HeadTable) -> Result<Self> {
         Self::new(
             of.tip_radius_mm,
             of.slant_deg,
@@ -132,7 +132,7 @@ impl Head {
 
     /// The same head with these parts, and no others, beside its round body.
     #[must_use]
-    pub fn with_parts(self, parts: Vec<Part>) -> Self {
+    pub fn with_parts(self, parts: Vec<HeadPart>) -> Self {
         Self { parts, ..self }
     }
 

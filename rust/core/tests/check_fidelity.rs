@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use glam::{DVec3, dvec3};
-use wireprint_core::fidelity::{self, Coverage, Deviation, Surface, Terms};
+use wireprint_core::fidelity::{self, Coverage, Deviation, MeasuredSurface, Terms};
 use wireprint_core::mesh::Mesh;
 
 /// A flat square of side 100 mm at z = 0 in n × n × 2 triangles.
@@ -51,7 +51,7 @@ fn coverage(mesh: &Mesh, strands: &[[DVec3; 2]], within: f64) -> Coverage {
 }
 
 fn deviation(mesh: &Mesh, strands: &[[DVec3; 2]]) -> Deviation {
-    Surface::new(mesh).deviation(strands)
+    MeasuredSurface::new(mesh).deviation(strands)
 }
 
 #[test]
@@ -160,15 +160,18 @@ fn the_nearest_triangle_is_the_one_that_a_search_of_all_finds() {
             dvec3((f * 0.7).sin(), (f * 1.3).cos(), (f * 2.1).sin()) * (10.0 + f / 20.0)
         })
         .collect();
-    let nearest = Surface::new(&mesh).nearest(&points);
-    assert_eq!(nearest, Surface::of(mesh.vertices.clone(), &mesh.faces).nearest(&points));
-    let alone: Vec<_> =
-        mesh.faces.iter().map(|&face| Surface::of(mesh.vertices.clone(), &[face])).collect();
+    let nearest = MeasuredSurface::new(&mesh).nearest(&points);
+    assert_eq!(nearest, MeasuredSurface::of(mesh.vertices.clone(), &mesh.faces).nearest(&points));
+    let alone: Vec<_> = mesh
+        .faces
+        .iter()
+        .map(|&face| MeasuredSurface::of(mesh.vertices.clone(), &[face]))
+        .collect();
     for (&point, &found) in points.iter().zip(&nearest) {
         let distance =
-            |surface: &Surface| surface.deviation(&[[point, point + DVec3::X * 1e-9]]).max;
+            |surface: &MeasuredSurface| surface.deviation(&[[point, point + DVec3::X * 1e-9]]).max;
         let least = alone.iter().map(distance).fold(f64::MAX, f64::min);
         assert!(distance(&alone[found as usize]) < least + 1e-6);
     }
-    assert!(Surface::of(mesh.vertices.clone(), &[]).nearest(&points).is_empty());
+    assert!(MeasuredSurface::of(mesh.vertices.clone(), &[]).nearest(&points).is_empty());
 }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use glam::{DVec2, DVec3, dvec3};
-use wireprint_core::head::{Head, Part, Shape};
+use wireprint_core::head::{Head, HeadPart, Shape};
 
 /// The paper's Kossel Mini with a carriage as wide as the default profile's.
 fn kossel() -> Head {
@@ -68,7 +68,7 @@ impl Scene {
     }
 
     fn of(head: Head, shapes: Vec<Shape>) -> Self {
-        let parts = shapes.iter().map(|&shape| Part::try_from(shape).unwrap()).collect();
+        let parts = shapes.iter().map(|&shape| HeadPart::try_from(shape).unwrap()).collect();
         Self { head: head.with_parts(parts), shapes }
     }
 
@@ -241,7 +241,7 @@ fn a_duct_counts_where_it_is_and_not_all_around() {
 #[test]
 fn no_part_without_extent_is_taken() {
     let of = |x_mm: [f64; 2], bottom_mm: f64| {
-        Part::try_from(Shape::Box { x_mm, y_mm: [0.0, 1.0], bottom_mm, turn_deg: 0.0 })
+        HeadPart::try_from(Shape::Box { x_mm, y_mm: [0.0, 1.0], bottom_mm, turn_deg: 0.0 })
     };
     assert!(of([0.0, 1.0], 1.0).is_ok());
     assert!(of([1.0, 1.0], 1.0).is_err());
@@ -249,7 +249,7 @@ fn no_part_without_extent_is_taken() {
     assert!(of([0.0, 1.0], 0.0).is_err());
     assert!(of([0.0, f64::INFINITY], 1.0).is_err());
     let probe = |radius_mm| {
-        Part::try_from(Shape::Cylinder { centre_mm: [0.0; 2], radius_mm, bottom_mm: 1.0 })
+        HeadPart::try_from(Shape::Cylinder { centre_mm: [0.0; 2], radius_mm, bottom_mm: 1.0 })
     };
     assert!(probe(1.0).is_ok() && probe(-1.0).is_err() && probe(f64::NAN).is_err());
 }

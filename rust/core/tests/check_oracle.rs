@@ -5,13 +5,13 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use proptest::prelude::*;
 use wireprint_core::check::{Bed, Limits, Rules, Settling, certify};
 use wireprint_core::gcode::event::Step;
-use wireprint_core::head::{Head, Part, Shape};
+use wireprint_core::head::{Head, HeadPart, Shape};
 
 /// A duct that is turned, and a probe beyond the carriage.
-fn parts() -> Vec<Part> {
+fn parts() -> Vec<HeadPart> {
     let duct = Shape::Box { x_mm: [8.0, 30.0], y_mm: [-3.0, 6.0], bottom_mm: 2.0, turn_deg: 25.0 };
     let probe = Shape::Cylinder { centre_mm: [-10.0, 38.0], radius_mm: 4.0, bottom_mm: 1.5 };
-    [duct, probe].map(|shape| Part::try_from(shape).unwrap()).to_vec()
+    [duct, probe].map(|shape| HeadPart::try_from(shape).unwrap()).to_vec()
 }
 
 fn rules() -> Rules {

@@ -6,14 +6,15 @@ mod solids;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use wireprint_core::CoreError;
-use wireprint_core::mesh::place::{Placement, Up};
+use wireprint_core::mesh::place::{MeshPlacement, Up};
 use wireprint_core::mesh::repair::{Limits, RepairReport};
 use wireprint_core::mesh::{Mesh, NO_FACE};
 
 use solids::{Random, cuboid, inverted, moved, revolved, sphere, together, torus};
 
 const LIMITS: Limits = Limits { hole_perimeter: 0.1, weld_distance: 1e-5 };
-const AS_IS: Placement = Placement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
+const AS_IS: MeshPlacement =
+    MeshPlacement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
 
 fn repaired(mesh: &Mesh) -> (Mesh, RepairReport) {
     Mesh::from_facets(&mesh.vertices, &mesh.faces, LIMITS, &AS_IS).unwrap()
@@ -80,7 +81,7 @@ proptest! {
     #[test]
     fn turning_a_model_keeps_its_volume_and_area(x in -4.0..4.0, y in -4.0..4.0, z in -4.0..4.0) {
         let solid = torus(30.0, 10.0, 48, 24);
-        let placement = Placement { rotate: DVec3::new(x, y, z), ..AS_IS };
+        let placement = MeshPlacement { rotate: DVec3::new(x, y, z), ..AS_IS };
         let (turned, _) =
             Mesh::from_facets(&solid.vertices, &solid.faces, LIMITS, &placement).unwrap();
         prop_assert!(close(turned.volume(), solid.volume()));
@@ -323,7 +324,7 @@ fn a_moebius_strip_is_reported_as_one_sided() {
 #[test]
 fn damaged_input_is_refused_by_name() {
     let cube = cuboid(DVec3::ZERO, DVec3::splat(10.0));
-    let refusal = |vertices: &[DVec3], faces: &[[u32; 3]], placement: Placement| {
+    let refusal = |vertices: &[DVec3], faces: &[[u32; 3]], placement: MeshPlacement| {
         Mesh::from_facets(vertices, faces, LIMITS, &placement).unwrap_err().to_string()
     };
     let mut vertices = cube.vertices.clone();
@@ -331,9 +332,9 @@ fn damaged_input_is_refused_by_name() {
     assert!(refusal(&vertices, &cube.faces, AS_IS).contains("vertex 3"));
     assert!(refusal(&cube.vertices, &[[0, 1, 99]], AS_IS).contains("vertex 99"));
     assert!(refusal(&cube.vertices, &[[0, 1, 1]], AS_IS).contains("area"));
-    let huge = Placement { scale: 1e5, ..AS_IS };
+    let huge = MeshPlacement { scale: 1e5, ..AS_IS };
     assert!(refusal(&cube.vertices, &cube.faces, huge).contains("--scale"));
-    let flat = Placement { scale: 0.0, ..AS_IS };
+    let flat = MeshPlacement { scale: 0.0, ..AS_IS };
     assert!(refusal(&cube.vertices, &cube.faces, flat).contains("scale"));
 }
 
@@ -341,7 +342,7 @@ fn damaged_input_is_refused_by_name() {
 fn a_model_is_turned_upright_and_scaled_to_its_height() {
     let brick = cuboid(DVec3::ZERO, DVec3::new(10.0, 20.0, 30.0));
     let size = |up, height| {
-        let placement = Placement { up, height, ..AS_IS };
+        let placement = MeshPlacement { up, height, ..AS_IS };
         let (mesh, _) =
             Mesh::from_facets(&brick.vertices, &brick.faces, LIMITS, &placement).unwrap();
         let (low, high) = mesh.bounds();

@@ -5,7 +5,7 @@ mod solids;
 
 use glam::DVec3;
 use proptest::prelude::*;
-use wireprint_core::mesh::place::{Placement, Up};
+use wireprint_core::mesh::place::{MeshPlacement, Up};
 use wireprint_core::mesh::repair::Limits;
 use wireprint_core::mesh::{Mesh, NO_FACE};
 
@@ -106,7 +106,7 @@ proptest! {
         let vertices: Vec<DVec3> = points.into_iter().map(|p| glam::IVec3::from(p).as_dvec3()).collect();
         let faces: Vec<[u32; 3]> = faces.into_iter().map(<[u32; 3]>::from).collect();
         let limits = Limits { hole_perimeter: 0.5, weld_distance: 1e-5 };
-        let as_is = Placement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
+        let as_is = MeshPlacement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
         if let Ok((mesh, report)) = Mesh::from_facets(&vertices, &faces, limits, &as_is) {
             prop_assert!(is_symmetric(&mesh));
             prop_assert_eq!(open_edges(&mesh), report.boundary_edges);

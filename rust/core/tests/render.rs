@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 use wireprint_core::render::{
-    Camera, Facet, Form, Frame, Image, Rgb, Scene, Stroke, Width, render, thumbnails,
+    Camera, DrawnStroke, Facet, Image, PictureFormat, PictureFrame, Rgb, Scene, Width, render,
+    thumbnails,
 };
 use wireprint_core::{CoreError, Result};
 
@@ -12,14 +13,19 @@ const RED: Rgb = [220, 30, 30];
 const BLUE: Rgb = [30, 30, 220];
 const WHITE: Rgb = [255, 255, 255];
 const FRONT: Camera = Camera { azimuth: 0.0, elevation: 0.0, field_of_view: 0.0 };
-const FRAME: Frame =
-    Frame { width: 200, height: 100, supersample: 2, margins: [10.0; 4], ground: Some(WHITE) };
+const FRAME: PictureFrame = PictureFrame {
+    width: 200,
+    height: 100,
+    supersample: 2,
+    margins: [10.0; 4],
+    ground: Some(WHITE),
+};
 
-fn tube(from: [f64; 3], to: [f64; 3], colour: Rgb) -> Stroke {
-    Stroke { from: from.into(), to: to.into(), width: Width::Tube(0.5), colour }
+fn tube(from: [f64; 3], to: [f64; 3], colour: Rgb) -> DrawnStroke {
+    DrawnStroke { from: from.into(), to: to.into(), width: Width::Tube(0.5), colour }
 }
 
-fn scene(strokes: &[Stroke]) -> Scene {
+fn scene(strokes: &[DrawnStroke]) -> Scene {
     Scene { strokes: strokes.to_vec(), ..Scene::default() }
 }
 
@@ -133,7 +139,12 @@ fn every_number_of_threads_gives_the_same_bytes() -> Result<()> {
             DVec3::new(20.0 * a.sin(), 20.0 * (1.3 * a).cos(), f64::from(i) * 0.02)
         };
         let width = if i % 5 == 0 { Width::Line(1.5) } else { Width::Tube(0.35) };
-        strokes.push(Stroke { from: at(0), to: at(3), width, colour: [(i % 256) as u8, 80, 90] });
+        strokes.push(DrawnStroke {
+            from: at(0),
+            to: at(3),
+            width,
+            colour: [(i % 256) as u8, 80, 90],
+        });
     }
     let scene = Scene { strokes, facets: Vec::new(), floor: true };
     let camera = Camera { azimuth: 0.5, elevation: 0.4, field_of_view: 0.5 };
@@ -154,7 +165,12 @@ fn slivers_dots_and_what_lies_far_outside_are_drawn_without_failing() -> Result<
         let corners = [corner(i), corner(i + 1), corner(i * i)];
         scene.facets.push(Facet { corners, colour: BLUE, lit: true });
         let line = Width::Line(f64::from(i % 4));
-        scene.strokes.push(Stroke { from: corner(i), to: corner(i + 3), width: line, colour: RED });
+        scene.strokes.push(DrawnStroke {
+            from: corner(i),
+            to: corner(i + 3),
+            width: line,
+            colour: RED,
+        });
     }
     for elevation in [-1.0, 0.0, 1.0] {
         for field_of_view in [0.0, 1.9] {
@@ -169,7 +185,7 @@ fn an_empty_scene_gives_the_bare_ground_or_full_transparency() -> Result<()> {
     let empty = Scene { floor: true, ..Scene::default() };
     let opaque = render(&empty, &FRONT, &FRAME)?;
     assert!(opaque.rgba.iter().all(|&v| v == 255));
-    let clear = render(&empty, &FRONT, &Frame { ground: None, ..FRAME })?;
+    let clear = render(&empty, &FRONT, &PictureFrame { ground: None, ..FRAME })?;
     assert!(clear.rgba.iter().all(|&v| v == 0));
     Ok(())
 }
@@ -179,7 +195,7 @@ fn a_travel_from_far_behind_the_camera_neither_shrinks_the_print_nor_covers_it()
     let strand = tube([-9.0, 0.0, 5.0], [9.0, 0.0, 5.0], RED);
     let from = DVec3::new(0.0, -5000.0, 800.0);
     let travel =
-        Stroke { from, to: DVec3::new(0.0, 0.0, 5.0), width: Width::Line(1.0), colour: BLUE };
+        DrawnStroke { from, to: DVec3::new(0.0, 0.0, 5.0), width: Width::Line(1.0), colour: BLUE };
     let camera = Camera { field_of_view: 0.5, ..FRONT };
     let alone = render(&scene(&[strand]), &camera, &FRAME)?;
     let both = render(&scene(&[strand, travel]), &camera, &FRAME)?;
@@ -191,7 +207,7 @@ fn a_travel_from_far_behind_the_camera_neither_shrinks_the_print_nor_covers_it()
 #[test]
 fn a_png_holds_the_pixels_it_was_made_from() -> Result<()> {
     let scene = scene(&[tube([-9.0, 0.0, 5.0], [9.0, 0.0, 5.0], RED)]);
-    let image = render(&scene, &FRONT, &Frame { ground: None, ..FRAME })?;
+    let image = render(&scene, &FRONT, &PictureFrame { ground: None, ..FRAME })?;
     let bytes = image.png()?;
     let decoder = png::Decoder::new(std::io::Cursor::new(&bytes));
     let mut reader = decoder.read_info().expect("a PNG header");
@@ -204,14 +220,16 @@ fn a_png_holds_the_pixels_it_was_made_from() -> Result<()> {
 
 #[test]
 fn what_cannot_be_drawn_is_refused_by_name() {
-    let refused = |scene: &Scene, camera: &Camera, frame: &Frame| match render(scene, camera, frame)
-    {
-        Err(CoreError::Setting(text)) => text,
-        other => panic!("{other:?}"),
-    };
+    let refused =
+        |scene: &Scene, camera: &Camera, frame: &PictureFrame| match render(scene, camera, frame) {
+            Err(CoreError::Setting(text)) => text,
+            other => panic!("{other:?}"),
+        };
     let none = Scene::default();
-    assert!(refused(&none, &FRONT, &Frame { width: 0, ..FRAME }).contains("0×100"));
-    assert!(refused(&none, &FRONT, &Frame { supersample: 9, ..FRAME }).contains("supersampling"));
+    assert!(refused(&none, &FRONT, &PictureFrame { width: 0, ..FRAME }).contains("0×100"));
+    assert!(
+        refused(&none, &FRONT, &PictureFrame { supersample: 9, ..FRAME }).contains("supersampling")
+    );
     let tilted = Camera { elevation: 2.0, ..FRONT };
     assert!(refused(&none, &tilted, &FRAME).contains("elevation"));
     let broken = scene(&[tube([f64::NAN, 0.0, 0.0], [1.0, 0.0, 0.0], RED)]);
@@ -219,18 +237,24 @@ fn what_cannot_be_drawn_is_refused_by_name() {
 }
 
 /// One thumbnail, 10 pixels from the edge, decoded.
-fn thumbnail(strokes: &[Stroke], camera: &Camera, width: usize, height: usize) -> Result<Image> {
+fn thumbnail(
+    strokes: &[DrawnStroke],
+    camera: &Camera,
+    width: usize,
+    height: usize,
+) -> Result<Image> {
     thumbnail_with_margin(strokes, camera, (width, height), 10.0)
 }
 
 /// One thumbnail, decoded.
 fn thumbnail_with_margin(
-    strokes: &[Stroke],
+    strokes: &[DrawnStroke],
     camera: &Camera,
     (width, height): (usize, usize),
     margin: f64,
 ) -> Result<Image> {
-    let files = thumbnails(&scene(strokes), camera, &[(width, height, Form::Png)], margin)?;
+    let files =
+        thumbnails(&scene(strokes), camera, &[(width, height, PictureFormat::Png)], margin)?;
     let mut decoder = png::Decoder::new(std::io::Cursor::new(&files[0]));
     decoder.set_transformations(png::Transformations::EXPAND);
     let failed = |error: png::DecodingError| CoreError::Io(std::io::Error::other(error));
@@ -339,7 +363,7 @@ fn a_qoi_file_holds_the_very_pixels_that_a_png_file_is_made_from() -> Result<()>
         tube([0.0, 4.0, 1.0], [0.0, 4.0, 9.0], BLUE),
     ];
     for (width, height) in [(16, 16), (313, 173), (440, 240), (1, 1)] {
-        let size = [(width, height, Form::Qoi)];
+        let size = [(width, height, PictureFormat::Qoi)];
         let files = thumbnails(&scene(&strokes), &FRONT, &size, 1.0)?;
         let pixels = pixels_of_qoi(&files[0]);
         // A PNG file has few colours, each the mean of those it stands for.

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use wireprint_core::climb::Climb;
 use wireprint_core::strand::{Kind, Strand};
 use wireprint_core::toolpath::{
-    Advance, Cooling, PathParams, Plate, Strategy as Holding, Toolpath, toolpath,
+    BedShape, CoolingMethod, PathParams, PressureAdvance, Strategy as Holding, Toolpath, toolpath,
 };
 
 fn strand(from: [f64; 3], to: [f64; 3], kind: Kind) -> Strand {
@@ -286,7 +286,7 @@ fn too_short_a_stroke_keeps_its_air() {
 
 #[test]
 fn a_valve_that_halts_the_head_is_opened_once() {
-    let path = plan(&fence(), &PathParams { cooling: Cooling::HaltingValve, ..PARAMS });
+    let path = plan(&fence(), &PathParams { cooling: CoolingMethod::HaltingValve, ..PARAMS });
     let first = path.iter().position(|m| m.air).unwrap();
     assert!(path[..first].iter().filter(|m| m.is_strand()).all(|m| m.to.z < 1.0));
     assert!(path[first..].iter().all(|m| m.air), "it is closed in mid-air");
@@ -294,7 +294,7 @@ fn a_valve_that_halts_the_head_is_opened_once() {
 
 #[test]
 fn a_fan_blows_above_the_bed_and_still_air_never() {
-    for (cooling, blows) in [(Cooling::Fan, true), (Cooling::Still, false)] {
+    for (cooling, blows) in [(CoolingMethod::Fan, true), (CoolingMethod::Still, false)] {
         for m in plan(&fence(), &PathParams { cooling, ..PARAMS }) {
             assert!(!m.is_strand() || m.air == (blows && m.from.z.max(m.to.z) > 1.0), "{m:?}");
         }
@@ -304,9 +304,11 @@ fn a_fan_blows_above_the_bed_and_still_air_never() {
 #[test]
 fn stacked_layers_bond_without_an_air_jet() {
     let wall = strands_along(&[[0.0, 0.0, 6.0], [9.0, 0.0, 6.0], [9.0, 9.0, 6.0]], Kind::LayerWise);
-    for (cooling, blows) in
-        [(Cooling::Valve, false), (Cooling::HaltingValve, false), (Cooling::Fan, true)]
-    {
+    for (cooling, blows) in [
+        (CoolingMethod::Valve, false),
+        (CoolingMethod::HaltingValve, false),
+        (CoolingMethod::Fan, true),
+    ] {
         let path = plan(&wall, &PathParams { cooling, ..PARAMS });
         assert!(path.iter().filter(|m| m.is_strand()).all(|m| m.air == blows));
     }
@@ -367,10 +369,10 @@ fn however_long_the_lag_the_head_still_dwells() {
 
 #[test]
 fn firmware_that_advances_pressure_is_left_to_it() {
-    let all = PathParams { pressure_lag: 0.4, advance: Advance::All, ..PARAMS };
+    let all = PathParams { pressure_lag: 0.4, advance: PressureAdvance::All, ..PARAMS };
     assert!(fed_in_place(&plan(&fence(), &all)).is_empty());
     // Klipper leaves strokes out that move along z alone: those are filled and relieved.
-    let sideways = PathParams { advance: Advance::Sideways, ..all };
+    let sideways = PathParams { advance: PressureAdvance::Sideways, ..all };
     let fed = fed_in_place(&plan(&fence(), &sideways));
     let full = 0.4 * 4.8;
     assert_eq!(fed.len(), 6, "two for each post");
@@ -387,7 +389,7 @@ fn only_floating_strokes_are_overshot_and_others_neither_pause_nor_go_on() {
         strand([9.0, 0.0, 6.0], [9.0, 9.0, 6.0], Kind::Cap),
     ];
     for strategy in [Holding::Overshoot, Holding::Pause, Holding::Slow] {
-        let path = plan(&lone, &PathParams { strategy, cooling: Cooling::Still, ..PARAMS });
+        let path = plan(&lone, &PathParams { strategy, cooling: CoolingMethod::Still, ..PARAMS });
         let kinds: Vec<Kind> = path.iter().map(|m| m.kind).collect();
         let first = kinds.iter().position(|&kind| kind == Kind::Cap).unwrap();
         assert_eq!(kinds[first..], [Kind::Cap, Kind::Cap, Kind::Retract, Kind::Travel]);
@@ -485,7 +487,7 @@ fn the_skirt_goes_around_everything_and_the_brim_stays_on_the_bed() {
             assert!(skirt.iter().all(|ring| distance(ring, point) > p.skirt_gap));
         }
     }
-    let edge = PathParams { plate: Plate::Rectangle(DVec2::splat(70.9)), ..p };
+    let edge = PathParams { plate: BedShape::Rectangle(DVec2::splat(70.9)), ..p };
     let half = DVec2::splat(70.9);
     for m in plan(&strands, &edge).iter().filter(|m| m.kind == Kind::Brim || m.kind == Kind::Skirt)
     {
@@ -496,7 +498,7 @@ fn the_skirt_goes_around_everything_and_the_brim_stays_on_the_bed() {
 #[test]
 fn the_print_stands_about_the_bed_s_centre() {
     let strands = fence();
-    let still = PathParams { cooling: Cooling::Still, ..PARAMS };
+    let still = PathParams { cooling: CoolingMethod::Still, ..PARAMS };
     let printed: Vec<Move> = plan(&strands, &still).into_iter().filter(|m| m.is_strand()).collect();
     assert_eq!(printed.len(), strands.len());
     for (m, strand) in printed.iter().zip(&strands) {
@@ -598,8 +600,8 @@ fn a_plate_holds_what_lies_on_it() {
         [(9.9, 0.0, true, true), (8.0, 8.0, false, false), (0.0, -4.1, true, false)]
     {
         let p = DVec2::new(x, y);
-        assert_eq!(Plate::Round(10.0).holds(p), round);
-        assert_eq!(Plate::Rectangle(DVec2::new(10.0, 4.0)).holds(p), square, "{p}");
+        assert_eq!(BedShape::Round(10.0).holds(p), round);
+        assert_eq!(BedShape::Rectangle(DVec2::new(10.0, 4.0)).holds(p), square, "{p}");
     }
     assert!(PARAMS.is_on_bed(0.35) && !PARAMS.is_on_bed(0.36));
 }

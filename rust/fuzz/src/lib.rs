@@ -5,12 +5,13 @@ use std::sync::OnceLock;
 
 use glam::DVec3;
 use wireprint_core::formats::{Format, load};
-use wireprint_core::mesh::place::{Placement, Up};
+use wireprint_core::mesh::place::{MeshPlacement, Up};
 use wireprint_core::mesh::repair::Limits;
 
 /// As the binding has them.
 const LIMITS: Limits = Limits { hole_perimeter: 0.1, weld_distance: 1e-5 };
-const PLACEMENT: Placement = Placement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
+const PLACEMENT: MeshPlacement =
+    MeshPlacement { scale: 1.0, up: Up::Z, rotate: DVec3::ZERO, height: None };
 
 /// Reads bytes as a model file of a format: what is not refused is a mesh on the bed.
 ///

@@ -277,7 +277,7 @@ impl Certificate {
             let commanded = moved(commanded.map(|(_, ends)| *ends), shift);
             let relaxed = self.core.relaxed.iter().filter(|piece| shows(piece.strand as usize));
             let relaxed = moved(relaxed.map(|piece| piece.ends), shift);
-            let surface = fidelity::Surface::new(mesh.core());
+            let surface = fidelity::MeasuredSurface::new(mesh.core());
             let commanded = surface.deviation(&commanded);
             let relaxed = surface.deviation(&relaxed);
             let deviation = [commanded, relaxed].map(|found| (found.mean, found.max));
@@ -413,7 +413,7 @@ pub fn deviation(
     strands: PyReadonlyArray3<'_, f64>,
 ) -> PyResult<(f64, f64)> {
     let strands = ends(&strands)?;
-    let found = py.detach(|| fidelity::Surface::new(mesh.core()).deviation(&strands));
+    let found = py.detach(|| fidelity::MeasuredSurface::new(mesh.core()).deviation(&strands));
     Ok((found.mean, found.max))
 }
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use wireprint_core::fidelity::Surface;
+use wireprint_core::fidelity::MeasuredSurface;
 
 use crate::arrays;
 use crate::errors::ModelError;
@@ -11,7 +11,7 @@ use crate::errors::ModelError;
 /// Loose triangles, sorted for the question which of them is nearest; immutable.
 #[pyclass(frozen, module = "wireprint._core")]
 pub struct Facets {
-    surface: Surface,
+    surface: MeasuredSurface,
 }
 
 #[pymethods]
@@ -32,7 +32,7 @@ impl Facets {
         if !faces.as_flattened().iter().all(there) {
             return Err(ModelError::new_err("faces names a vertex that is not there"));
         }
-        Ok(Self { surface: py.detach(|| Surface::of(vertices, &faces)) })
+        Ok(Self { surface: py.detach(|| MeasuredSurface::of(vertices, &faces)) })
     }
 
     /// Index of the triangle nearest to each of the points, float64 (N, 3): read-only uint32 (N,).

@@ -6,7 +6,7 @@ use pyo3::types::{PyBytes, PyDict};
 use wireprint_core::physics::cooling::{self, Fall, Thermal};
 use wireprint_core::physics::flow::Matter;
 use wireprint_core::physics::sag::Sags;
-use wireprint_core::physics::{self, Found, Terms, Times, holds};
+use wireprint_core::physics::{self, Found, StrandTimes, Terms, holds};
 
 use crate::arrays;
 use crate::check::{Point, judging, require_positive};
@@ -148,7 +148,7 @@ pub fn forecast(
     let Some(rows) = &estimate.core().per_move else {
         return Err(SettingError::new_err("the estimate has no row for each move"));
     };
-    let times = Times { lines: &rows.line, durations: &rows.duration_s };
+    let times = StrandTimes { lines: &rows.line, durations: &rows.duration_s };
     let (text, machine) = (text.as_bytes(), reading.machine());
     let macros = &reading.macros;
     let core =

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wireprint_core::formats::{self, Format, Loaded};
 use wireprint_core::mesh;
-use wireprint_core::mesh::place::{Placement, Up};
+use wireprint_core::mesh::place::{MeshPlacement, Up};
 use wireprint_core::mesh::repair::{Limits, RepairReport};
 use wireprint_core::poses::Pose;
 
@@ -52,14 +52,19 @@ impl Mesh {
     }
 }
 
-fn placement(scale: f64, up: &str, rotate: [f64; 3], height: Option<f64>) -> PyResult<Placement> {
+fn placement(
+    scale: f64,
+    up: &str,
+    rotate: [f64; 3],
+    height: Option<f64>,
+) -> PyResult<MeshPlacement> {
     let up = match up {
         "x" => Up::X,
         "y" => Up::Y,
         "z" => Up::Z,
         _ => return Err(SettingError::new_err(format!("up is {up:?}; it must be x, y or z"))),
     };
-    Ok(Placement { scale, up, rotate: DVec3::from(rotate.map(f64::to_radians)), height })
+    Ok(MeshPlacement { scale, up, rotate: DVec3::from(rotate.map(f64::to_radians)), height })
 }
 
 #[pymethods]

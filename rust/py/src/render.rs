@@ -10,7 +10,7 @@ use numpy::{PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArr
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use wireprint_core::render::{self, Camera, Frame, Image, Rgb, Width};
+use wireprint_core::render::{self, Camera, Image, PictureFrame, Rgb, Width};
 
 use crate::arrays;
 use crate::errors::{SettingError, detached, to_py};
@@ -152,8 +152,8 @@ impl Strands {
     ) -> PyResult<Thumbnails> {
         self.check(&palette)?;
         let size = |(width, height, form): (usize, usize, String)| match form.as_str() {
-            "PNG" => Ok((width, height, render::Form::Png)),
-            "QOI" => Ok((width, height, render::Form::Qoi)),
+            "PNG" => Ok((width, height, render::PictureFormat::Png)),
+            "QOI" => Ok((width, height, render::PictureFormat::Qoi)),
             _ => Err(PyValueError::new_err(format!("a picture's form is PNG or QOI, not {form}"))),
         };
         let sizes = sizes.into_iter().map(size).collect::<PyResult<Vec<_>>>()?;
@@ -260,7 +260,7 @@ impl Scene {
     fn add_marks(&mut self, points: Vec<[f64; 3]>, colour: Rgb, radius_mm: f64) {
         let width = Width::Mark(radius_mm);
         let marks = points.into_iter().map(DVec3::from_array);
-        self.core.strokes.extend(marks.map(|at| render::Stroke {
+        self.core.strokes.extend(marks.map(|at| render::DrawnStroke {
             from: at,
             to: at,
             width,
@@ -310,7 +310,7 @@ impl Scene {
         margins: [f64; 4],
         ground: Option<Rgb>,
     ) -> PyResult<Image> {
-        let frame = Frame { width, height, supersample, margins, ground };
+        let frame = PictureFrame { width, height, supersample, margins, ground };
         detached(py, || render::render(&self.core, &view_from(camera), &frame))
     }
 }

@@ -65,7 +65,7 @@ struct Constellation {
 
 /// A volume where the file puts it.
 #[derive(Debug)]
-pub struct Body {
+pub struct PlacedVolume {
     /// In the file's unit.
     pub vertices: Vec<DVec3>,
     /// Indices of vertices that exist.
@@ -82,7 +82,7 @@ pub struct Model {
     /// Millimetres per unit.
     pub unit_mm: f64,
     /// What is printed or cut out.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<PlacedVolume>,
     /// What is to be said of how it was read, a sentence each.
     pub notes: Vec<String>,
 }

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use glam::DAffine3;
 
-use super::{Body, Constellation, Object, Purpose};
+use super::{Constellation, Object, PlacedVolume, Purpose};
 use crate::mesh::size;
 use crate::{CoreError, Result};
 
@@ -18,7 +18,7 @@ const MOST_DEEP: usize = 32;
 /// # Errors
 /// [`CoreError::Unreadable`] where an instance is of something that is not there, constellations
 /// contain themselves, or too much is placed; [`CoreError::Memory`].
-pub fn bodies(objects: &[Object], constellations: &[Constellation]) -> Result<Vec<Body>> {
+pub fn bodies(objects: &[Object], constellations: &[Constellation]) -> Result<Vec<PlacedVolume>> {
     let of_object = by_id(objects.iter().map(|one| &*one.id));
     let of_constellation = by_id(constellations.iter().map(|one| &*one.id));
     let named: HashSet<&str> =
@@ -86,13 +86,13 @@ impl Placing<'_> {
 }
 
 /// The volumes that are printed or cut out, each with the vertices of its object.
-fn laid_out(objects: &[Object], placed: &[(usize, DAffine3)]) -> Vec<Body> {
+fn laid_out(objects: &[Object], placed: &[(usize, DAffine3)]) -> Vec<PlacedVolume> {
     let mut bodies = Vec::new();
     for (of, &(index, at)) in placed.iter().enumerate() {
         let object = &objects[index];
         let wanted = object.volumes.iter().filter(|one| one.purpose != Purpose::LeftOut);
         for volume in wanted.filter(|volume| !volume.faces.is_empty()) {
-            bodies.push(Body {
+            bodies.push(PlacedVolume {
                 vertices: object.vertices.iter().map(|&p| at.transform_point3(p)).collect(),
                 faces: volume.faces.clone(),
                 purpose: volume.purpose,

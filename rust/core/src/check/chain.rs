@@ -2,7 +2,7 @@
 
 /// A strand's place in its chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Link {
+pub(crate) struct ChainPlace {
     /// Number of the chain.
     pub chain: u32,
     /// Length of the chain before the strand, mm.
@@ -13,17 +13,17 @@ pub(crate) struct Link {
 
 /// Builds the links of strands as they are laid.
 #[derive(Debug, Default)]
-pub(super) struct Chains {
-    pub links: Vec<Link>,
+pub(super) struct ChainLinks {
+    pub links: Vec<ChainPlace>,
     /// Number of the chain under way, and its length, mm; both as if a travel had just ended.
     chain: u32,
     arc: f64,
 }
 
-impl Chains {
+impl ChainLinks {
     /// A strand of this length continues the chain, or begins one after a travel.
     pub(super) fn extrude(&mut self, length: f64) {
-        self.links.push(Link { chain: self.chain, arc: self.arc, length });
+        self.links.push(ChainPlace { chain: self.chain, arc: self.arc, length });
         self.arc += length;
     }
 

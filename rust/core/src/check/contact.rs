@@ -16,7 +16,7 @@ pub(crate) const ROUNDING_MM: f64 = 2e-3;
 pub(super) const OWN_CHAIN_DIAMETERS: f64 = 3.0;
 
 /// A part of a strand, as parameters 0–1.
-pub(crate) type Part = [f64; 2];
+pub(crate) type StrandPart = [f64; 2];
 
 /// Greatest distance between centrelines in contact, mm.
 pub(crate) fn touch(rules: &Rules) -> f64 {
@@ -27,13 +27,13 @@ pub(crate) fn touch(rules: &Rules) -> f64 {
 const BATCH: usize = 64;
 
 /// The parts in contact of every strand.
-pub(crate) fn of_all(deposit: &Deposit, rules: &Rules) -> Vec<Vec<Part>> {
+pub(crate) fn of_all(deposit: &Deposit, rules: &Rules) -> Vec<Vec<StrandPart>> {
     let strands = (0..deposit.strands.len() as u32).into_par_iter().with_min_len(BATCH);
     strands.map(|strand| parts(strand, deposit, rules)).collect()
 }
 
 /// The parts of a strand that are in contact with the bed or earlier material, in order, disjoint.
-fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> {
+fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<StrandPart> {
     let ends = deposit.strands[strand as usize];
     let mut parts = Vec::new();
     let mut covered = 0.0;
@@ -61,7 +61,7 @@ fn parts(strand: u32, deposit: &Deposit, rules: &Rules) -> Vec<Part> {
 }
 
 /// Adds a part, and returns up to where the parts cover the strand from its start without a gap.
-fn insert(parts: &mut Vec<Part>, part: Part, mut covered: f64) -> f64 {
+fn insert(parts: &mut Vec<StrandPart>, part: StrandPart, mut covered: f64) -> f64 {
     parts.push(part);
     if part[0] <= covered && part[1] > covered {
         covered = part[1];
@@ -92,7 +92,7 @@ pub(crate) fn held_up_to(strand: u32, other: u32, deposit: &Deposit, rules: &Rul
 }
 
 /// The part of a segment whose height is at most `height`.
-fn below([a, b]: [DVec3; 2], height: f64) -> Option<Part> {
+fn below([a, b]: [DVec3; 2], height: f64) -> Option<StrandPart> {
     match (a.z <= height, b.z <= height) {
         (true, true) => Some([0.0, 1.0]),
         (false, false) => None,
@@ -105,7 +105,7 @@ fn below([a, b]: [DVec3; 2], height: f64) -> Option<Part> {
 ///
 /// The points within `radius` of a segment form a capsule, which is convex: the part is the hull
 /// of those in its two balls and in its cylinder.
-pub(super) fn within(segment: [DVec3; 2], axis: [DVec3; 2], radius: f64) -> Option<Part> {
+pub(super) fn within(segment: [DVec3; 2], axis: [DVec3; 2], radius: f64) -> Option<StrandPart> {
     let run = segment[1] - segment[0];
     let ball = |centre| ball(segment[0] - centre, run, radius);
     [ball(axis[0]), ball(axis[1]), cylinder(segment[0] - axis[0], run, axis[1] - axis[0], radius)]
@@ -115,7 +115,7 @@ pub(super) fn within(segment: [DVec3; 2], axis: [DVec3; 2], radius: f64) -> Opti
 }
 
 /// Where `|offset + t·run| ≤ radius`, for t in 0–1.
-fn ball(offset: DVec3, run: DVec3, radius: f64) -> Option<Part> {
+fn ball(offset: DVec3, run: DVec3, radius: f64) -> Option<StrandPart> {
     let c = offset.length_squared() - radius * radius;
     let (a, b) = (run.length_squared(), offset.dot(run));
     if a == 0.0 {
@@ -130,7 +130,7 @@ fn ball(offset: DVec3, run: DVec3, radius: f64) -> Option<Part> {
 }
 
 /// Where `offset + t·run` is within `radius` of the axis and between its ends, for t in 0–1.
-fn cylinder(offset: DVec3, run: DVec3, axis: DVec3, radius: f64) -> Option<Part> {
+fn cylinder(offset: DVec3, run: DVec3, axis: DVec3, radius: f64) -> Option<StrandPart> {
     let squared = axis.length_squared();
     if squared == 0.0 {
         return None;
@@ -144,13 +144,13 @@ fn cylinder(offset: DVec3, run: DVec3, axis: DVec3, radius: f64) -> Option<Part>
     unit(enter.max(u.min(v)), leave.min(u.max(v)))
 }
 
-fn unit(low: f64, high: f64) -> Option<Part> {
+fn unit(low: f64, high: f64) -> Option<StrandPart> {
     let (low, high) = (low.max(0.0), high.min(1.0));
     (low <= high).then_some([low, high])
 }
 
 /// Sorts parts and joins those that overlap.
-fn merge(mut parts: Vec<Part>) -> Vec<Part> {
+fn merge(mut parts: Vec<StrandPart>) -> Vec<StrandPart> {
     parts.sort_by(|a, b| a[0].total_cmp(&b[0]));
     parts.dedup_by(|next, last| {
         let joined = next[0] <= last[1];

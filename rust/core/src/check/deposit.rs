@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::chain;
-use super::grid::Grid;
+use super::grid::StrandGrid;
 use super::rules::Bed;
 use crate::gcode::event::Step;
 
@@ -32,7 +32,7 @@ pub(crate) struct Deposit {
     /// Feature of each strand.
     pub features: Vec<u16>,
     /// Place of each strand in its chain.
-    pub links: Vec<chain::Link>,
+    pub links: Vec<chain::ChainPlace>,
     /// How long the head dwells at the end of each strand, s; negative where it does not.
     pub dwells: Vec<f64>,
     /// The move that lays each strand.
@@ -42,7 +42,7 @@ pub(crate) struct Deposit {
     /// Highest point of the strands up to and including each, mm.
     pub tops: Vec<f64>,
     /// The strands over xy.
-    pub grid: Grid,
+    pub grid: StrandGrid,
 }
 
 impl Deposit {
@@ -68,7 +68,7 @@ struct Laying {
     features: Vec<u16>,
     dwells: Vec<f64>,
     steps: Vec<u32>,
-    chains: chain::Chains,
+    chains: chain::ChainLinks,
     laid: Vec<u32>,
     tops: Vec<f64>,
     /// Where the last move ended.
@@ -111,7 +111,7 @@ impl Laying {
     fn finish(self, bed: &Bed) -> Deposit {
         let (low, high) = frame(&self.strands, bed);
         Deposit {
-            grid: Grid::new(&self.strands, low, high),
+            grid: StrandGrid::new(&self.strands, low, high),
             strands: self.strands,
             lines: self.lines,
             features: self.features,

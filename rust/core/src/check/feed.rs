@@ -34,7 +34,7 @@ const PIECE_DIAMETERS: f64 = 1.0;
 
 /// Part of a chain that is weighed at once.
 #[derive(Clone, Copy)]
-struct Piece {
+struct WeighedRun {
     first: usize,
     length: f64,
     /// Length without contact, mm.
@@ -44,7 +44,7 @@ struct Piece {
     filament: f64,
 }
 
-impl Piece {
+impl WeighedRun {
     fn at(first: usize) -> Self {
         Self { first, length: 0.0, hanging: 0.0, top: 0.0, filament: 0.0 }
     }
@@ -53,7 +53,7 @@ impl Piece {
 /// Every run of pieces with too little.
 pub(super) fn breaches(
     moves: &[Step],
-    contacts: &[Vec<contact::Part>],
+    contacts: &[Vec<contact::StrandPart>],
     deposit: &Deposit,
     rules: &Rules,
 ) -> Vec<Underfed> {
@@ -62,7 +62,7 @@ pub(super) fn breaches(
     let mut first = 0;
     for chain in deposit.links.chunk_by(|a, b| a.chain == b.chain) {
         let mut run: Option<Underfed> = None;
-        let mut piece = Piece::at(first);
+        let mut piece = WeighedRun::at(first);
         for strand in first..first + chain.len() {
             let length = deposit.links[strand].length;
             let held: f64 = contacts[strand].iter().map(|part| part[1] - part[0]).sum();
@@ -75,7 +75,7 @@ pub(super) fn breaches(
                 continue;
             }
             weigh(piece, per_mm, deposit, rules, &mut run, &mut found);
-            piece = Piece::at(strand + 1);
+            piece = WeighedRun::at(strand + 1);
         }
         found.extend(run);
         first += chain.len();
@@ -85,7 +85,7 @@ pub(super) fn breaches(
 
 /// Weighs a piece: it adds to the run under way, or ends it.
 fn weigh(
-    piece: Piece,
+    piece: WeighedRun,
     per_mm: f64,
     deposit: &Deposit,
     rules: &Rules,

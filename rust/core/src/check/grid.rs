@@ -56,7 +56,7 @@ impl Entry {
 
 /// The grid; what lies outside its rectangle is neither kept nor found.
 #[derive(Debug)]
-pub(crate) struct Grid {
+pub(crate) struct StrandGrid {
     low: DVec2,
     cell: DVec2,
     columns: usize,
@@ -67,7 +67,7 @@ pub(crate) struct Grid {
     entries: Vec<Entry>,
 }
 
-impl Grid {
+impl StrandGrid {
     /// Sorts strands into cells that cover the rectangle `low`–`high`.
     pub(super) fn new(strands: &[[DVec3; 2]], low: DVec2, high: DVec2) -> Self {
         let size = (high - low).max(DVec2::splat(CELL_MM));
@@ -145,7 +145,7 @@ impl Grid {
         self.earlier_around(segment, DVec2::splat(reach), before, height, found);
     }
 
-    /// As [`Grid::earlier`], within another distance along x than along y.
+    /// As [`StrandGrid::earlier`], within another distance along x than along y.
     pub(crate) fn earlier_around(
         &self,
         segment: [DVec3; 2],
@@ -311,7 +311,7 @@ mod tests {
     fn a_strand_through_many_cells_is_found_once() {
         for to in [dvec3(39.0, 1.0, 5.0), dvec3(1.0, 39.0, 5.0), dvec3(39.0, 39.0, 5.0)] {
             let strand = [dvec3(1.0, 1.0, 5.0), to];
-            let grid = Grid::new(&[strand], DVec2::ZERO, dvec2(40.0, 40.0));
+            let grid = StrandGrid::new(&[strand], DVec2::ZERO, dvec2(40.0, 40.0));
             let mut found = 0;
             grid.earlier(strand, 5.0, 1, 0.0, |_| {
                 found += 1;
@@ -331,7 +331,7 @@ mod tests {
             before in 0..30_u32,
             height in 0.0..9.0,
         ) {
-            let grid = Grid::new(&strands, DVec2::ZERO, dvec2(40.0, 40.0));
+            let grid = StrandGrid::new(&strands, DVec2::ZERO, dvec2(40.0, 40.0));
             let mut found = Vec::new();
             grid.earlier(query[0], reach, before, height, |strand| {
                 found.push(strand);

@@ -28,7 +28,7 @@ pub type Macros = [(String, String)];
 
 /// A text as it was read.
 pub(crate) struct Reading {
-    pub(crate) notes: Notes,
+    pub(crate) notes: ReadingNotes,
     /// The `;TYPE:` labels that the moves refer to.
     pub(crate) features: Vec<String>,
     /// Whether E was taken as relative though the text does not say so.
@@ -45,7 +45,7 @@ impl Reading {
         let relative_assumed = !settings.relative_extrusion && extrusion::is_relative(text);
         let relative_extrusion = settings.relative_extrusion || relative_assumed;
         let mut machine = Machine::new(MachineSettings { relative_extrusion, ..settings });
-        let mut notes = Notes::new(settings.dialect, coldest);
+        let mut notes = ReadingNotes::new(settings.dialect, coldest);
         for (line, command) in Commands::new(text) {
             match expansion(&command, macros) {
                 None => notes.carry_out(line, &command, &mut machine),
@@ -65,7 +65,7 @@ fn expansion<'a>(command: &Command<'_>, macros: &'a Macros) -> Option<&'a str> {
 }
 
 /// What is noted on the way through a text.
-pub(crate) struct Notes {
+pub(crate) struct ReadingNotes {
     dialect: Dialect,
     nozzle: Nozzle,
     /// Which of X, Y and Z are where the machine says that they are.
@@ -87,7 +87,7 @@ pub(crate) struct Notes {
     pub(super) garbage_lines: usize,
 }
 
-impl Notes {
+impl ReadingNotes {
     fn new(dialect: Dialect, coldest: f64) -> Self {
         Self {
             dialect,

@@ -34,7 +34,7 @@ pub(super) struct Held {
 /// Walks along all chains, given what of each strand is in contact.
 pub(super) fn hold(
     moves: &[Step],
-    contacts: &[Vec<contact::Part>],
+    contacts: &[Vec<contact::StrandPart>],
     deposit: &Deposit,
     rules: &Rules,
 ) -> Held {
@@ -42,7 +42,7 @@ pub(super) fn hold(
     let mut first = 0;
     for chain in deposit.links.chunk_by(|a, b| a.chain == b.chain) {
         let of_chain = &contacts[first..first + chain.len()];
-        let mut walk = Walk::start(first, of_chain, moves, deposit, rules, &mut held);
+        let mut walk = ChainWalk::start(first, of_chain, moves, deposit, rules, &mut held);
         for (strand, parts) in (first..).zip(of_chain) {
             walk.along(strand, parts);
         }
@@ -53,7 +53,7 @@ pub(super) fn hold(
 }
 
 /// A walk along one chain.
-struct Walk<'a> {
+struct ChainWalk<'a> {
     moves: &'a [Step],
     deposit: &'a Deposit,
     rules: &'a Rules,
@@ -72,10 +72,10 @@ struct Walk<'a> {
     rising: bool,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> ChainWalk<'a> {
     fn start(
         first: usize,
-        contacts: &[Vec<contact::Part>],
+        contacts: &[Vec<contact::StrandPart>],
         moves: &'a [Step],
         deposit: &'a Deposit,
         rules: &'a Rules,
@@ -100,7 +100,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Goes along one strand with its parts in contact.
-    fn along(&mut self, strand: usize, contacts: &[contact::Part]) {
+    fn along(&mut self, strand: usize, contacts: &[contact::StrandPart]) {
         let [from, to] = self.deposit.strands[strand];
         let length = self.deposit.links[strand].length;
         if self.rising && to.z <= from.z {

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::contour::Contour;
 use super::ring::Ring;
-use super::sweep::{Found, sweep};
+use super::sweep::{SweptRings, sweep};
 use super::union::union;
 use crate::geometry::polygon::{length, signed_area};
 use crate::slices::Loop;
@@ -48,7 +48,7 @@ fn returns(points: &[DVec2]) -> bool {
     tip.is_some_and(|tip| (1..n).all(|k| points[(tip + k) % n] == points[(tip + n - k) % n]))
 }
 
-fn nest(loops: &[Loop], areas: &[Option<f64>]) -> Found {
+fn nest(loops: &[Loop], areas: &[Option<f64>]) -> SweptRings {
     let rings = loops.iter().zip(areas).map(|(l, &area)| Ring { points: &l.points, area });
     sweep(&rings.collect::<Vec<_>>())
 }

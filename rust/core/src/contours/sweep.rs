@@ -22,7 +22,7 @@ const TOUCH: f64 = 1.0 / UNITS_PER_MM;
 const OVERLAP: f64 = 1e-6;
 
 /// What the sweep found.
-pub(super) struct Found {
+pub(super) struct SweptRings {
     /// For each ring, the ring that directly encloses it.
     pub parents: Vec<Option<u32>>,
     /// Whether no two rings cross or overlap and every winding number is 0 or 1.
@@ -30,7 +30,7 @@ pub(super) struct Found {
 }
 
 /// Sweeps once over the rings.
-pub(super) fn sweep(rings: &[Ring]) -> Found {
+pub(super) fn sweep(rings: &[Ring]) -> SweptRings {
     let chains = Chains::of(rings);
     let mut sweep = Sweep {
         rings,
@@ -41,7 +41,7 @@ pub(super) fn sweep(rings: &[Ring]) -> Found {
         sound: true,
     };
     sweep.run();
-    Found { parents: sweep.parents, sound: sweep.sound }
+    SweptRings { parents: sweep.parents, sound: sweep.sound }
 }
 
 /// A chain's place in the list from left to right, while the sweep line crosses it.
@@ -63,14 +63,14 @@ impl Default for Link {
 
 /// The beginning or end of a chain. Where some end and others begin, the ending ones go first;
 /// those that begin go from left to right.
-struct Event {
+struct SweepEvent {
     key: Key,
     begins: bool,
     lean: f64,
     chain: u32,
 }
 
-impl Event {
+impl SweepEvent {
     fn order(&self, other: &Self) -> Ordering {
         (self.key.cmp(&other.key))
             .then(self.begins.cmp(&other.begins))
@@ -91,7 +91,7 @@ struct Sweep<'a> {
 impl Sweep<'_> {
     fn run(&mut self) {
         let mut seen = vec![false; self.rings.len()];
-        for Event { key, begins, chain, .. } in self.events() {
+        for SweepEvent { key, begins, chain, .. } in self.events() {
             if !begins {
                 self.remove(chain, key.along);
                 continue;
@@ -107,18 +107,18 @@ impl Sweep<'_> {
         }
     }
 
-    fn events(&self) -> Vec<Event> {
+    fn events(&self) -> Vec<SweepEvent> {
         let mut events = Vec::with_capacity(2 * self.chains.list.len());
         for (id, chain) in (0..).zip(&self.chains.list) {
             let (from, ahead) = self.chains.segment(chain, 0);
             let lean = Key::lean(ahead - from);
-            events.push(Event { key: Key::of(from), begins: true, lean, chain: id });
+            events.push(SweepEvent { key: Key::of(from), begins: true, lean, chain: id });
             if chain.segments > 0 {
                 let end = self.chains.point(chain, chain.segments);
-                events.push(Event { key: Key::of(end), begins: false, lean: 0.0, chain: id });
+                events.push(SweepEvent { key: Key::of(end), begins: false, lean: 0.0, chain: id });
             }
         }
-        events.sort_unstable_by(Event::order);
+        events.sort_unstable_by(SweepEvent::order);
         events
     }
 

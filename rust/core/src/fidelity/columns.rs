@@ -24,7 +24,7 @@ const SLACK: f64 = 1e-9;
 /// Points by their columns. All coordinates in here are turned so that the axis is z.
 pub(super) struct Columns {
     axis: usize,
-    grid: Grid,
+    grid: ColumnGrid,
     /// Lowest of all points, mm.
     bottom: f64,
     slack: f64,
@@ -35,7 +35,7 @@ pub(super) struct Columns {
 
 /// A rectangle in columns.
 #[derive(Clone, Copy)]
-struct Grid {
+struct ColumnGrid {
     low: DVec2,
     high: DVec2,
     /// Columns a millimetre.
@@ -43,7 +43,7 @@ struct Grid {
     counts: [usize; 2],
 }
 
-impl Grid {
+impl ColumnGrid {
     /// The rectangle `low`–`high` in square columns, `most` along its longer side.
     fn new(low: DVec2, high: DVec2, most: f64) -> Self {
         let extent = high - low;
@@ -92,14 +92,14 @@ impl Columns {
         let high = points.iter().fold(first, |high, &(p, _)| high.max(p));
         let extent = (high - low).max_element();
         // Bare surface comes in patches: how closely its points lie shows where there are some.
-        let coarse = Grid::new(low.xy(), high.xy(), COARSE);
+        let coarse = ColumnGrid::new(low.xy(), high.xy(), COARSE);
         let mut occupied = vec![false; coarse.count()];
         points.iter().for_each(|&(p, _)| occupied[coarse.column(p)] = true);
         let occupied = occupied.into_iter().filter(|&some| some).count() as f64;
         let finer = (points.len() as f64 / (POINTS * occupied)).sqrt();
         let mut columns = Self {
             axis,
-            grid: Grid::new(low.xy(), high.xy(), (COARSE * finer).clamp(1.0, MOST)),
+            grid: ColumnGrid::new(low.xy(), high.xy(), (COARSE * finer).clamp(1.0, MOST)),
             bottom: low.z,
             slack: SLACK * extent,
             starts: Vec::new(),

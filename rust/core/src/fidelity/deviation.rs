@@ -26,11 +26,11 @@ pub struct Deviation {
 }
 
 /// A surface, ready to measure distances from.
-pub struct Surface {
+pub struct MeasuredSurface {
     pub(super) triangles: Triangles,
 }
 
-impl Surface {
+impl MeasuredSurface {
     /// Prepares the surface of a mesh.
     #[must_use]
     pub fn new(mesh: &Mesh) -> Self {

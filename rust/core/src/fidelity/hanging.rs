@@ -11,7 +11,7 @@ use crate::mesh::Mesh;
 const CARRIED: u32 = u32::MAX;
 
 /// Until which height each part of a surface hangs.
-pub(super) struct Hanging {
+pub(super) struct HangingUntil {
     /// Height at which what begins at a vertex, or goes on there, is carried, mm.
     until: Vec<f64>,
 }
@@ -37,7 +37,7 @@ fn is_below(mesh: &Mesh, a: u32, b: u32) -> bool {
     z(a).total_cmp(&z(b)).then(a.cmp(&b)).is_lt()
 }
 
-impl Hanging {
+impl HangingUntil {
     /// Sweeps a surface; `carried` tells of each minimum, a vertex, whether something carries it.
     pub(super) fn new(mesh: &Mesh, carried: impl Fn(u32) -> bool) -> Self {
         let count = mesh.vertices.len();
@@ -61,7 +61,7 @@ impl Hanging {
         }
         edges.sort_unstable();
         edges.dedup();
-        let mut sweep = Sweep {
+        let mut sweep = VertexSweep {
             sets: UnionFind::new(count),
             part: vec![CARRIED; count],
             next: Vec::new(),
@@ -99,7 +99,7 @@ pub(super) fn lowest(mesh: &Mesh, face: usize) -> u32 {
 }
 
 /// A sweep under way; sets are known by their lowest vertex.
-struct Sweep {
+struct VertexSweep {
     sets: UnionFind,
     /// Part that the set of a lowest vertex is now.
     part: Vec<u32>,
@@ -109,7 +109,7 @@ struct Sweep {
     until: Vec<f64>,
 }
 
-impl Sweep {
+impl VertexSweep {
     fn new_part(&mut self) -> u32 {
         self.next.push(CARRIED);
         self.until.push(f64::INFINITY);

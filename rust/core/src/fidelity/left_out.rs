@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::hanging::{Hanging, lowest, minima};
+use super::hanging::{HangingUntil, lowest, minima};
 use super::patches::{Bare, Patch};
 use super::shells::Shells;
 use super::survey::{Survey, Terms};
@@ -14,7 +14,7 @@ pub(super) struct LeftOut {
     /// Whether level faces do not count.
     level_faces: bool,
     /// What hangs, where that does not count.
-    hanging: Option<Hanging>,
+    hanging: Option<HangingUntil>,
     /// Level faces wider than this both ways do not count where they are bare, mm.
     span: f64,
 }
@@ -65,7 +65,7 @@ impl LeftOut {
 }
 
 /// What nothing carries: neither the bed nor, where it touches, another body.
-fn hanging(survey: &Survey<'_>, strand: f64) -> Hanging {
+fn hanging(survey: &Survey<'_>, strand: f64) -> HangingUntil {
     let mesh = survey.mesh;
     let bottom = mesh.bounds().0.z + strand;
     let mut carried = vec![false; mesh.vertices.len()];
@@ -88,5 +88,5 @@ fn hanging(survey: &Survey<'_>, strand: f64) -> Hanging {
             carried[v as usize] = true;
         }
     }
-    Hanging::new(mesh, |v| carried[v as usize])
+    HangingUntil::new(mesh, |v| carried[v as usize])
 }

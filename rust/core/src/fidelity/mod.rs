@@ -19,6 +19,6 @@ mod triangle;
 mod triangles;
 
 pub use coverage::{Coverage, coverage};
-pub use deviation::{Deviation, Surface};
+pub use deviation::{Deviation, MeasuredSurface};
 pub use patches::Patch;
 pub use survey::Terms;

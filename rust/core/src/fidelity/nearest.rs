@@ -3,12 +3,12 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::Surface;
+use super::MeasuredSurface;
 
 /// Points that are asked at a time by one task.
 const BATCH: usize = 4096;
 
-impl Surface {
+impl MeasuredSurface {
     /// Which triangle is nearest to each point, in the order in which they were given.
     ///
     /// Of several that are equally near, which one is told depends on the point alone. Empty where

@@ -46,7 +46,7 @@ pub(super) struct Bare {
 /// Joins bare samples, given in the order of faces and numbers, across the sides that they share.
 /// The largest patch comes first, each with one of its samples.
 pub(super) fn patches(mesh: &Mesh, pitch: Pitch, bare: &[Bare]) -> Vec<(Patch, Bare)> {
-    let joining = Joining { mesh, pitch, bare, faces: ranges(bare) };
+    let joining = PatchJoining { mesh, pitch, bare, faces: ranges(bare) };
     let mut sets = UnionFind::new(bare.len());
     for range in &joining.faces {
         joining.within(range, &mut sets);
@@ -67,14 +67,14 @@ fn ranges(bare: &[Bare]) -> Vec<Range<usize>> {
         .collect()
 }
 
-struct Joining<'a> {
+struct PatchJoining<'a> {
     mesh: &'a Mesh,
     pitch: Pitch,
     bare: &'a [Bare],
     faces: Vec<Range<usize>>,
 }
 
-impl Joining<'_> {
+impl PatchJoining<'_> {
     fn samples(&self, face: u32) -> Samples {
         self.pitch.samples(self.mesh.corners(face as usize))
     }

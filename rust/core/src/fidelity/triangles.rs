@@ -39,14 +39,14 @@ impl Bounds {
 
 /// Bounds in half the memory, a little wider than what they hold.
 #[derive(Debug, Clone, Copy)]
-struct Node {
+struct BoxNode {
     low: Vec3,
     high: Vec3,
 }
 
-const NOTHING: Node = Node { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
+const NOTHING: BoxNode = BoxNode { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
 
-impl Node {
+impl BoxNode {
     /// Widened by `slack`, which is more than is lost by rounding.
     fn around(bounds: Bounds, slack: f64) -> Self {
         let low = (bounds.low - DVec3::splat(slack)).as_vec3();
@@ -63,7 +63,7 @@ impl Node {
 }
 
 /// The nearest triangle that was found yet: its index and its squared distance.
-type Found = (usize, f64);
+type NearestFound = (usize, f64);
 
 /// Triangles, ready for questions.
 pub(super) struct Triangles {
@@ -72,7 +72,7 @@ pub(super) struct Triangles {
     faces: Vec<[u32; 3]>,
     /// Where each of them stood in the list that was given.
     given: Vec<u32>,
-    nodes: Vec<Node>,
+    nodes: Vec<BoxNode>,
     leaves: usize,
     /// What all of them lie in.
     bounds: Bounds,
@@ -89,7 +89,7 @@ impl Triangles {
         let slack = if largest.is_finite() { largest * f64::from(f32::EPSILON) } else { 0.0 };
         let around = |some: &[[u32; 3]]| {
             let all = some.iter().map(|&face| Bounds::of(&corners(&vertices, face)));
-            Node::around(all.fold(EMPTY, Bounds::join), slack)
+            BoxNode::around(all.fold(EMPTY, Bounds::join), slack)
         };
         let mut nodes = vec![NOTHING; 2 * leaves];
         nodes[leaves..].par_iter_mut().zip(faces.par_chunks(LEAF)).for_each(|(node, some)| {
@@ -115,14 +115,14 @@ impl Triangles {
 
     /// Index and squared distance of the nearest triangle, the first of several as near; `guess` is
     /// a triangle to try first. `None` where there is no triangle.
-    pub(super) fn nearest(&self, p: DVec3, guess: usize) -> Option<Found> {
+    pub(super) fn nearest(&self, p: DVec3, guess: usize) -> Option<NearestFound> {
         let first = *self.faces.get(guess)?;
         let mut best = (guess, triangle::distance_squared(p, corners(&self.vertices, first)));
         self.descend(1, p, &mut best);
         Some(best)
     }
 
-    fn descend(&self, node: usize, p: DVec3, best: &mut Found) {
+    fn descend(&self, node: usize, p: DVec3, best: &mut NearestFound) {
         if node >= self.leaves {
             let first = (node - self.leaves) * LEAF;
             for (index, &face) in self.faces.iter().enumerate().skip(first).take(LEAF) {

@@ -6,7 +6,7 @@ use super::facets::Facets;
 use super::kind::Format;
 use super::source::Source;
 use super::{obj, off, ply, stl};
-use crate::mesh::place::Placement;
+use crate::mesh::place::MeshPlacement;
 use crate::mesh::repair::{Limits, RepairReport};
 use crate::mesh::{Mesh, prepare};
 use crate::{CoreError, Result};
@@ -27,7 +27,12 @@ pub struct Loaded {
 /// # Errors
 /// [`CoreError::Unreadable`] with file, place and way out where the file cannot be opened, is
 /// empty, damaged, or not of its format; otherwise as [`prepare`].
-pub fn load(path: &Path, format: Format, limits: Limits, placement: &Placement) -> Result<Loaded> {
+pub fn load(
+    path: &Path,
+    format: Format,
+    limits: Limits,
+    placement: &MeshPlacement,
+) -> Result<Loaded> {
     let Facets { vertices, faces, notes } = match format {
         Format::Stl => stl::read(path)?,
         Format::Obj => whole(path, obj::read)?,

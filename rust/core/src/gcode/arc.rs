@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::command::{CentreWords, Plane};
+use super::command::{ArcPlane, CentreWords};
 
 /// Most chords that one arc may have, whatever its radius says: those of a circle 650 mm wide in
 /// pieces of a millimetre. The sagitta of as many chords is a millionth of the radius.
@@ -55,7 +55,7 @@ pub struct Arc {
     /// Its sense, seen against the plane's normal.
     pub clockwise: bool,
     /// Its plane.
-    pub plane: Plane,
+    pub plane: ArcPlane,
 }
 
 impl Arc {
@@ -66,9 +66,9 @@ impl Arc {
     #[must_use]
     pub fn chords(&self, fineness: Fineness) -> Chords {
         let (a, b, c) = match self.plane {
-            Plane::Xy => (0, 1, 2),
-            Plane::Xz => (0, 2, 1),
-            Plane::Yz => (1, 2, 0),
+            ArcPlane::Xy => (0, 1, 2),
+            ArcPlane::Xz => (0, 2, 1),
+            ArcPlane::Yz => (1, 2, 0),
         };
         let chord = (self.to[a] - self.from[a], self.to[b] - self.from[b]);
         let offset = match self.centre {

@@ -50,7 +50,7 @@ pub struct CentreWords {
 
 /// The plane of arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Plane {
+pub enum ArcPlane {
     /// G17.
     #[default]
     Xy,
@@ -94,7 +94,7 @@ pub enum Command<'a> {
         words: Words<'a>,
     },
     /// G17, G18, G19.
-    ArcPlane(Plane, Words<'a>),
+    ArcPlane(ArcPlane, Words<'a>),
     /// G20 (`inches`) and G21.
     Units {
         /// Whether it was written as G20.

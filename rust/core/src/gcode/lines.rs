@@ -106,7 +106,7 @@ fn step(path: &Toolpath, i: usize) -> Option<RoundedMove> {
 }
 
 /// A run of moves of one slab.
-struct Layer {
+struct SlabRun {
     first: usize,
     /// Greatest height of its strands, mm.
     z: f64,
@@ -114,7 +114,7 @@ struct Layer {
     height: f64,
 }
 
-fn layers(path: &Toolpath) -> Vec<Layer> {
+fn layers(path: &Toolpath) -> Vec<SlabRun> {
     let mut layers = Vec::new();
     let (mut first, mut below) = (0, 0.0);
     for run in path.slab.chunk_by(|a, b| a == b) {
@@ -122,7 +122,7 @@ fn layers(path: &Toolpath) -> Vec<Layer> {
         let heights = moves.filter(|&i| is_strand(path.kind.get(i))).map(|i| path.to[i].z);
         let z = heights.fold(f64::NEG_INFINITY, f64::max);
         let z = if z.is_finite() { z } else { below };
-        layers.push(Layer { first, z, height: (z - below).max(0.0) });
+        layers.push(SlabRun { first, z, height: (z - below).max(0.0) });
         below = z;
         first += run.len();
     }

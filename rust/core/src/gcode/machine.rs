@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use super::arc::{self, Fineness};
-use super::command::{Axes, CentreWords, Command, Plane, Words};
+use super::command::{ArcPlane, Axes, CentreWords, Command, Words};
 use super::dialect::Dialect;
 use super::event::{Event, Step};
 use super::extruder::Extruder;
@@ -56,7 +56,7 @@ pub struct Machine {
     retraction: Retraction,
     relative: bool,
     extruder: Extruder,
-    plane: Plane,
+    plane: ArcPlane,
     mm_per_unit: f64,
     feed: Feedrate,
     tool: u32,
@@ -79,7 +79,7 @@ impl Machine {
             retraction: settings.retraction,
             relative: false,
             extruder: Extruder::new(settings.relative_extrusion),
-            plane: Plane::Xy,
+            plane: ArcPlane::Xy,
             mm_per_unit: 1.0,
             feed: Feedrate::new(),
             tool: 0,

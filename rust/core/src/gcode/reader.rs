@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 
 use memchr::{memchr, memrchr};
 
-use super::command::{Axes, CentreWords, Command, Plane, Words};
+use super::command::{ArcPlane, Axes, CentreWords, Command, Words};
 use super::number::{LARGEST, decimal};
 use super::plain::plain_move;
 use crate::error::Result;
@@ -137,7 +137,7 @@ pub fn parse_line(line: &[u8]) -> Option<Command<'_>> {
     if memchr(b'\r', line).is_some() {
         return Some(Command::Garbage(line));
     }
-    let mut cursor = Cursor { rest: line, parentheses: false };
+    let mut cursor = LineRest { rest: line, parentheses: false };
     let Some(mut letter) = cursor.next_letter() else {
         return cursor.without_words(line);
     };
@@ -158,7 +158,7 @@ pub fn parse_line(line: &[u8]) -> Option<Command<'_>> {
 }
 
 /// What remains of a line.
-struct Cursor<'a> {
+struct LineRest<'a> {
     rest: &'a [u8],
     /// Whether a comment in parentheses was stepped over.
     parentheses: bool,
@@ -178,7 +178,7 @@ impl Code<'_> {
     }
 }
 
-impl<'a> Cursor<'a> {
+impl<'a> LineRest<'a> {
     /// Steps over blanks and parentheses, then takes a letter (as a capital) if there is one.
     #[inline]
     fn next_letter(&mut self) -> Option<u8> {
@@ -257,9 +257,9 @@ impl<'a> Cursor<'a> {
             }
             number @ (2 | 3) => self.arc(number == 2)?,
             4 => self.dwell()?,
-            17 => Command::ArcPlane(Plane::Xy, self.words()),
-            18 => Command::ArcPlane(Plane::Xz, self.words()),
-            19 => Command::ArcPlane(Plane::Yz, self.words()),
+            17 => Command::ArcPlane(ArcPlane::Xy, self.words()),
+            18 => Command::ArcPlane(ArcPlane::Xz, self.words()),
+            19 => Command::ArcPlane(ArcPlane::Yz, self.words()),
             number @ (20 | 21) => Command::Units { inches: number == 20, words: self.words() },
             28 => self.home(),
             number @ (90 | 91) => {

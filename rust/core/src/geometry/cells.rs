@@ -15,7 +15,7 @@ pub struct Cells {
 }
 
 /// Columns and rows of some cells, all that lie in both.
-type Span = (RangeInclusive<usize>, RangeInclusive<usize>);
+type CellRange = (RangeInclusive<usize>, RangeInclusive<usize>);
 
 impl Default for Cells {
     fn default() -> Self {
@@ -86,7 +86,7 @@ impl Cells {
 
     /// Columns and rows of the cells that a box reaches into.
     #[must_use]
-    pub fn span(&self, low: DVec2, high: DVec2) -> Span {
+    pub fn span(&self, low: DVec2, high: DVec2) -> CellRange {
         let ((left, bottom), (right, top)) = (self.place(low), self.place(high));
         (left..=right, bottom..=top)
     }

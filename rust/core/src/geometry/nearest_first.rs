@@ -11,7 +11,7 @@ const MOST_CELLS: f64 = 512.0;
 
 /// One polyline of a figure.
 #[derive(Debug)]
-struct Part {
+struct Member {
     figure: usize,
     low: DVec2,
     high: DVec2,
@@ -24,7 +24,7 @@ pub struct Waiting {
     grid: Cells,
     /// Parts whose boxes reach into each cell.
     cells: Vec<Vec<u32>>,
-    parts: Vec<Part>,
+    parts: Vec<Member>,
     taken: Vec<bool>,
     /// Figures without a point, in reverse: they come last.
     nowhere: Vec<usize>,
@@ -37,14 +37,14 @@ impl Waiting {
         let taken = vec![false; figures.len()];
         let is_nowhere = |figure: &[Vec<DVec2>]| figure.iter().all(Vec::is_empty);
         let nowhere = (0..figures.len()).rev().filter(|&i| is_nowhere(&figures[i])).collect();
-        let parts: Vec<Part> = figures
+        let parts: Vec<Member> = figures
             .into_iter()
             .enumerate()
             .flat_map(|(figure, parts)| parts.into_iter().map(move |points| (figure, points)))
             .filter(|(_, points)| !points.is_empty())
             .map(|(figure, points)| {
                 let (low, high) = bounds(points.iter().copied());
-                Part { figure, low, high, points }
+                Member { figure, low, high, points }
             })
             .collect();
         let (low, high) = parts

@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Head, Hit, Part};
+use super::{Head, HeadPart, Hit};
 
 /// The round body, or a part beside it.
 #[derive(Debug, Clone, Copy)]
@@ -11,7 +11,7 @@ pub enum Body<'a> {
     /// Tip, flank, block and carriage.
     Round(&'a Head),
     /// A box or a cylinder.
-    Part(&'a Part),
+    Part(&'a HeadPart),
 }
 
 impl Head {
@@ -25,7 +25,7 @@ impl Head {
     #[must_use]
     pub fn height_below_parts(&self, size: DVec2) -> f64 {
         let over = self.parts.iter().filter(|part| part.meets(size));
-        over.map(Part::bottom).fold(f64::INFINITY, f64::min)
+        over.map(HeadPart::bottom).fold(f64::INFINITY, f64::min)
     }
 }
 

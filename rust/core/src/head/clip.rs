@@ -6,7 +6,7 @@
 
 use glam::{DVec2, dvec2};
 
-use super::sweep::{Hit, Sweep};
+use super::sweep::{Hit, Parallelogram};
 
 /// A square that four lines have cut has no more corners than this.
 const MOST_CORNERS: usize = 8;
@@ -46,7 +46,7 @@ impl Rectangle {
 }
 
 /// Raises `worst` to the greatest depth in what stands on the rectangle from `bottom` up.
-pub(super) fn deepen(sweep: &Sweep, on: &Rectangle, bottom: f64, worst: &mut Hit) {
+pub(super) fn deepen(sweep: &Parallelogram, on: &Rectangle, bottom: f64, worst: &mut Hit) {
     let base = on.own(sweep.base.truncate() - on.middle);
     let (tip, strand) = (on.own(sweep.tip.truncate()), on.own(sweep.strand.truncate()));
     let half = on.half * (1.0 + ROUNDING);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Head;
-use super::sweep::{Hit, Sweep, Tier, are_near};
+use super::sweep::{Hit, Parallelogram, Tier, are_near};
 
 impl Head {
     /// The deepest that a straight move of the tip drives the head into a straight strand.
@@ -46,7 +46,7 @@ impl Head {
         if !self.may_touch(tolerance, tip, strand) {
             return None;
         }
-        let sweep = Sweep::new(tip, strand);
+        let sweep = Parallelogram::new(tip, strand);
         let mut worst = Hit::none(tolerance);
         for tier in self.tiers() {
             if sweep.top - tier.height > worst.depth {

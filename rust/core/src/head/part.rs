@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use serde::Deserialize;
 
 use super::clip::{self, Rectangle};
-use super::sweep::{Hit, Sweep, Tier, are_near};
+use super::sweep::{Hit, Parallelogram, Tier, are_near};
 use crate::error::{CoreError, Result};
 
 /// A part by the names of a profile's `[[head.parts]]`: mm from the tip, and degrees.
@@ -39,7 +39,7 @@ pub enum Shape {
 /// A convex part of the head that opens upwards.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(try_from = "Shape")]
-pub struct Part {
+pub struct HeadPart {
     footprint: Footprint,
     bottom: f64,
 }
@@ -50,7 +50,7 @@ enum Footprint {
     Disc { middle: DVec2, radius: f64 },
 }
 
-impl TryFrom<Shape> for Part {
+impl TryFrom<Shape> for HeadPart {
     type Error = CoreError;
 
     fn try_from(shape: Shape) -> Result<Self> {
@@ -77,7 +77,7 @@ impl TryFrom<Shape> for Part {
     }
 }
 
-impl Part {
+impl HeadPart {
     fn is_sound(&self) -> bool {
         let extent = match self.footprint {
             Footprint::Rectangle(on) if on.axis.is_finite() => on.half.min_element(),
@@ -146,12 +146,12 @@ impl Part {
         let mut worst = Hit::none(tolerance);
         match self.footprint {
             Footprint::Rectangle(on) => {
-                clip::deepen(&Sweep::new(tip, strand), &on, self.bottom, &mut worst);
+                clip::deepen(&Parallelogram::new(tip, strand), &on, self.bottom, &mut worst);
             }
             Footprint::Disc { radius, .. } => {
                 let (height, flat, reach) = (self.bottom, radius, radius);
                 let tier = Tier { height, flat, slope: 0.0, reach };
-                Sweep::new(tip.map(|p| p + middle), strand).deepen(&tier, &mut worst);
+                Parallelogram::new(tip.map(|p| p + middle), strand).deepen(&tier, &mut worst);
             }
         }
         worst.found()

@@ -63,7 +63,7 @@ impl Tier {
 }
 
 /// The parallelogram `d(s, t) = base − s·tip + t·strand`.
-pub(super) struct Sweep {
+pub(super) struct Parallelogram {
     pub base: DVec3,
     pub tip: DVec3,
     pub strand: DVec3,
@@ -71,7 +71,7 @@ pub(super) struct Sweep {
     pub top: f64,
 }
 
-impl Sweep {
+impl Parallelogram {
     pub fn new(tip: [DVec3; 2], strand: [DVec3; 2]) -> Self {
         Self {
             base: strand[0] - tip[0],

@@ -13,14 +13,14 @@ const CHANCE: f64 = 4.0;
 
 /// How a round ranks what could be printed.
 #[derive(Debug, Clone)]
-pub struct Rank {
+pub struct StrokeRank {
     /// By strut: rounds that could not print it.
     blame: Vec<u32>,
     /// The round.
     round: u32,
 }
 
-impl Rank {
+impl StrokeRank {
     /// All struts alike.
     pub fn new(lattice: &Lattice) -> Self {
         Self { blame: vec![0; lattice.len()], round: 0 }

@@ -6,7 +6,7 @@
 //! spatial extrusion*, RSS 2020.
 
 use super::bars::Bars;
-use super::rank::Rank;
+use super::rank::StrokeRank;
 use super::state::State;
 use super::{Laid, Lattice, Ordered, Rules, Why};
 use crate::head::Head;
@@ -35,7 +35,7 @@ pub fn order(lattice: &Lattice, head: &Head, rules: &Rules) -> Ordered {
         let why = |strut| (strut, Round::default().why(lattice, rules, &bars, &reached, strut));
         return Ordered { strokes: Vec::new(), left: stranded.into_iter().map(why).collect() };
     }
-    let (mut rank, mut steps) = (Rank::new(lattice), rules.most_steps);
+    let (mut rank, mut steps) = (StrokeRank::new(lattice), rules.most_steps);
     let mut best = Round::default();
     for _ in 0..ROUNDS {
         let round = Round::run(lattice, rules, &bars, &rank, &mut steps);
@@ -63,7 +63,13 @@ struct Round {
 }
 
 impl Round {
-    fn run(lattice: &Lattice, rules: &Rules, bars: &Bars, rank: &Rank, steps: &mut usize) -> Self {
+    fn run(
+        lattice: &Lattice,
+        rules: &Rules,
+        bars: &Bars,
+        rank: &StrokeRank,
+        steps: &mut usize,
+    ) -> Self {
         let mut state = State::new(lattice, rules, bars);
         let mut best = Self::default();
         let mut back = BACK * lattice.len();

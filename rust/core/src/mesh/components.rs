@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::holes::Rim;
+use super::holes::BoundaryLoop;
 use super::surface::Surface;
 use super::topology::NO_FACE;
 use crate::geometry::disjoint_sets::UnionFind;
@@ -15,7 +15,7 @@ const CHUNK_FACES: usize = 1 << 15;
 
 /// Measures of one body.
 #[derive(Debug, Clone, Copy)]
-pub struct Body {
+pub struct BodyMeasures {
     /// Six times the signed volume, its rims closed by fans, in the file's unit cubed.
     pub volume: f64,
     /// Lowest coordinates.
@@ -28,7 +28,7 @@ pub struct Body {
     pub first: u32,
 }
 
-impl Body {
+impl BodyMeasures {
     fn empty(first: u32) -> Self {
         let (low, high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         Self { volume: 0.0, low, high, boundary: 0, first }
@@ -58,14 +58,14 @@ pub struct Bodies {
     /// The body of each face.
     pub of: Vec<u32>,
     /// The bodies' measures.
-    pub all: Vec<Body>,
+    pub all: Vec<BodyMeasures>,
 }
 
 impl Bodies {
     /// Finds and measures the bodies; `rims` are the surface's boundary loops.
-    pub fn new(surface: &Surface, rims: &[Rim]) -> Self {
+    pub fn new(surface: &Surface, rims: &[BoundaryLoop]) -> Self {
         let (of, count) = labels(&surface.neighbours);
-        let mut bodies = Self { of, all: vec![Body::empty(NO_FACE); count] };
+        let mut bodies = Self { of, all: vec![BodyMeasures::empty(NO_FACE); count] };
         let parts: Vec<_> = bodies
             .of
             .par_chunks(CHUNK_FACES)
@@ -82,7 +82,7 @@ impl Bodies {
     }
 
     /// Adds the fans that close the rims to the volumes.
-    fn close(&mut self, surface: &Surface, rims: &[Rim]) {
+    fn close(&mut self, surface: &Surface, rims: &[BoundaryLoop]) {
         let Some(&origin) = surface.vertices.first() else { return };
         for rim in rims {
             let body = &mut self.all[self.of[rim.face as usize] as usize];
@@ -120,16 +120,16 @@ pub(crate) fn labels(neighbours: &[[u32; 3]]) -> (Vec<u32>, usize) {
 }
 
 /// Measures of the bodies within a chunk of faces, in the order of their first faces.
-fn measure(surface: &Surface, labels: &[u32], first: usize) -> Vec<(u32, Body)> {
+fn measure(surface: &Surface, labels: &[u32], first: usize) -> Vec<(u32, BodyMeasures)> {
     let origin = surface.vertices[0];
     let mut index = HashMap::new();
-    let mut parts: Vec<(u32, Body)> = Vec::new();
+    let mut parts: Vec<(u32, BodyMeasures)> = Vec::new();
     let mut current = (u32::MAX, 0);
     for (f, &label) in (first..).zip(labels) {
         if label != current.0 {
             let slot = *index.entry(label).or_insert(parts.len());
             if slot == parts.len() {
-                parts.push((label, Body::empty(f as u32)));
+                parts.push((label, BodyMeasures::empty(f as u32)));
             }
             current = (label, slot);
         }
@@ -137,7 +137,7 @@ fn measure(surface: &Surface, labels: &[u32], first: usize) -> Vec<(u32, Body)> 
         let boundary = surface.neighbours[f].iter().filter(|&&g| g == NO_FACE).count();
         let volume = (a - origin).dot((b - origin).cross(c - origin));
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-        parts[current.1].1.add(&Body { volume, low, high, boundary, first: f as u32 });
+        parts[current.1].1.add(&BodyMeasures { volume, low, high, boundary, first: f as u32 });
     }
     parts
 }

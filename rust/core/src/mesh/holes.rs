@@ -10,14 +10,14 @@ const MOST_CORNERS: usize = 100;
 
 /// A boundary loop.
 #[derive(Debug)]
-pub struct Rim {
+pub struct BoundaryLoop {
     /// Its vertices in the order in which a face that fills it would have them.
     pub vertices: Vec<u32>,
     /// One of the faces along it.
     pub face: u32,
 }
 
-impl Rim {
+impl BoundaryLoop {
     /// Positions of its vertices.
     pub fn points(&self, surface: &Surface) -> Vec<DVec3> {
         self.vertices.iter().map(|&v| surface.vertices[v as usize]).collect()
@@ -86,7 +86,7 @@ fn centre(points: &[DVec3]) -> DVec3 {
 }
 
 /// The boundary loops of a consistently oriented surface, in the order of their first edges.
-pub fn rims(surface: &Surface) -> Vec<Rim> {
+pub fn rims(surface: &Surface) -> Vec<BoundaryLoop> {
     let open = surface.open_halves();
     let mut seen = vec![false; open.len()];
     let mut rims = Vec::new();
@@ -100,7 +100,7 @@ pub fn rims(surface: &Surface) -> Vec<Rim> {
             }
         }
         if vertices.len() > 2 {
-            rims.push(Rim { vertices, face: open[start] / 3 });
+            rims.push(BoundaryLoop { vertices, face: open[start] / 3 });
         }
     }
     rims

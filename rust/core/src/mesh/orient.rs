@@ -4,7 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::components::Bodies;
-use super::holes::Rim;
+use super::holes::BoundaryLoop;
 use super::surface::Surface;
 use super::topology::{self, NO_FACE};
 use super::winding;
@@ -74,7 +74,7 @@ fn spread(
 /// Turns bodies outward: the outermost ones get positive volume, and a body within others is a
 /// cavity where the file orients it against them. Returns which bodies were reversed, and the
 /// number of cavities.
-pub fn outward(surface: &Surface, bodies: &Bodies, rims: &[Rim]) -> (Vec<bool>, usize) {
+pub fn outward(surface: &Surface, bodies: &Bodies, rims: &[BoundaryLoop]) -> (Vec<bool>, usize) {
     let all = &bodies.all;
     let mut reverse = vec![false; all.len()];
     if all.iter().all(|body| body.volume >= 0.0) {
@@ -101,7 +101,12 @@ pub fn outward(surface: &Surface, bodies: &Bodies, rims: &[Rim]) -> (Vec<bool>, 
 }
 
 /// For each body those of larger volume that it lies in, in the given order.
-fn holders(surface: &Surface, bodies: &Bodies, rims: &[Rim], order: &[usize]) -> Vec<Vec<usize>> {
+fn holders(
+    surface: &Surface,
+    bodies: &Bodies,
+    rims: &[BoundaryLoop],
+    order: &[usize],
+) -> Vec<Vec<usize>> {
     let members = Members::new(bodies, rims, surface);
     let mut holders = vec![Vec::new(); bodies.all.len()];
     for (rank, &d) in order.iter().enumerate() {
@@ -128,7 +133,7 @@ struct Members {
 }
 
 impl Members {
-    fn new(bodies: &Bodies, rims: &[Rim], surface: &Surface) -> Self {
+    fn new(bodies: &Bodies, rims: &[BoundaryLoop], surface: &Surface) -> Self {
         let mut faces = vec![Vec::new(); bodies.all.len()];
         for (f, &label) in bodies.of.iter().enumerate() {
             faces[label as usize].push(f as u32);

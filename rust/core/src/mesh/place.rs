@@ -19,7 +19,7 @@ pub enum Up {
 
 /// How a model is brought from its file to the bed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placement {
+pub struct MeshPlacement {
     /// Millimetres per unit of the file, times the wanted scale.
     pub scale: f64,
     /// Axis of the file that points up.
@@ -33,7 +33,7 @@ pub struct Placement {
 /// Largest extent that a model may have, mm; anything larger is a mistaken unit.
 const LARGEST_MM: f64 = 10_000.0;
 
-impl Placement {
+impl MeshPlacement {
     fn check(&self) -> Result<()> {
         let positive = |v: f64| v.is_finite() && v > 0.0;
         let refused = |what: &str, value: f64, rule: &str| {
@@ -66,7 +66,7 @@ impl Mesh {
     /// # Errors
     /// [`CoreError::Setting`] for a scale or height that is not positive or a rotation that is
     /// not finite, [`CoreError::Unreadable`] where the placed model is too large.
-    pub fn placed(mut self, placement: &Placement) -> Result<Self> {
+    pub fn placed(mut self, placement: &MeshPlacement) -> Result<Self> {
         placement.check()?;
         let matrix = placement.matrix();
         self.vertices.par_iter_mut().for_each(|vertex| *vertex = matrix * *vertex);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::indexed::Mesh;
-use super::place::Placement;
+use super::place::MeshPlacement;
 use super::repair::{self, Limits, RepairReport};
 use super::{size, weld};
 use crate::Result;
@@ -16,7 +16,7 @@ pub fn prepare(
     vertices: Vec<DVec3>,
     faces: Vec<[u32; 3]>,
     limits: Limits,
-    placement: &Placement,
+    placement: &MeshPlacement,
 ) -> Result<(Mesh, RepairReport)> {
     let (mesh, report) = repair::repair(vertices, faces, limits)?;
     Ok((mesh.placed(placement)?, report))
@@ -31,7 +31,7 @@ impl Mesh {
         vertices: &[DVec3],
         faces: &[[u32; 3]],
         limits: Limits,
-        placement: &Placement,
+        placement: &MeshPlacement,
     ) -> Result<(Self, RepairReport)> {
         size::claim_given(faces.len() as u64)?;
         let (vertices, faces) = weld::weld_facets(vertices, faces)?;

@@ -4,7 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::components::{Bodies, Body};
+use super::components::{Bodies, BodyMeasures};
 use super::indexed::Mesh;
 use super::surface::Surface;
 use super::{duplicates, holes, orient, size, slivers, stitch};
@@ -186,7 +186,7 @@ fn turn_outward(surface: &mut Surface, report: &mut RepairReport) {
 }
 
 /// Number of bodies whose bounding box overlaps another one's, by a sweep along x.
-fn overlapping(bodies: &[Body]) -> usize {
+fn overlapping(bodies: &[BodyMeasures]) -> usize {
     let mut order: Vec<usize> = (0..bodies.len()).collect();
     order.sort_by(|&a, &b| bodies[a].low.x.total_cmp(&bodies[b].low.x));
     let mut overlaps = vec![false; bodies.len()];

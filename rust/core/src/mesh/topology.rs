@@ -95,7 +95,7 @@ impl Gathered {
 
 /// What one block contributes besides its half-edges' neighbours.
 #[derive(Default)]
-struct Tally {
+struct BlockTally {
     boundary: usize,
     opposed: usize,
     fans: Vec<Vec<u32>>,
@@ -113,7 +113,7 @@ impl Adjacency {
             .collect();
         let slots: Vec<[AtomicU32; 3]> =
             (0..faces.len()).into_par_iter().map(|_| [NO_FACE; 3].map(AtomicU32::new)).collect();
-        let tallies: Vec<Tally> = (0..blocks)
+        let tallies: Vec<BlockTally> = (0..blocks)
             .into_par_iter()
             .map(|block| match_block(&gathered, block, &slots))
             .collect();
@@ -131,7 +131,7 @@ impl Adjacency {
 }
 
 /// Matches the half-edges whose lower vertex lies in the block.
-fn match_block(gathered: &[Gathered], block: usize, slots: &[[AtomicU32; 3]]) -> Tally {
+fn match_block(gathered: &[Gathered], block: usize, slots: &[[AtomicU32; 3]]) -> BlockTally {
     let mut starts = vec![0_usize; BLOCK_VERTICES + 1];
     for chunk in gathered {
         for half in chunk.block(block) {
@@ -150,7 +150,7 @@ fn match_block(gathered: &[Gathered], block: usize, slots: &[[AtomicU32; 3]]) ->
             *slot += 1;
         }
     }
-    let mut tally = Tally::default();
+    let mut tally = BlockTally::default();
     for range in starts.windows(2) {
         let around = &mut sorted[range[0]..range[1]];
         around.sort_unstable_by_key(|half| (half.upper, half.number));
@@ -162,7 +162,7 @@ fn match_block(gathered: &[Gathered], block: usize, slots: &[[AtomicU32; 3]]) ->
 }
 
 /// Joins the faces of one edge, given by its half-edges.
-fn match_edge(edge: &[Half], slots: &[[AtomicU32; 3]], tally: &mut Tally) {
+fn match_edge(edge: &[Half], slots: &[[AtomicU32; 3]], tally: &mut BlockTally) {
     let join = |half: Half, other: Half| {
         let (face, i) = (half.number / 3, half.number % 3);
         slots[face as usize][i as usize].store(other.number / 3, Ordering::Relaxed);

@@ -20,7 +20,7 @@ const EMPTY: u32 = u32::MAX;
 pub const LARGEST: f64 = 1e9;
 
 /// The bits of a point's coordinates, with −0 stored as 0.
-pub trait Key: Copy + Eq + Send + Sync {
+pub trait VertexKey: Copy + Eq + Send + Sync {
     /// A hash whose high and low bits are both well mixed.
     fn hash(self) -> u64;
     /// The point.
@@ -37,7 +37,7 @@ fn mix(a: u64, b: u64, c: u64) -> u64 {
     (hash ^ (hash >> 32)).wrapping_mul(0x9E37_79B9_7F4A_7C15)
 }
 
-impl Key for [u32; 3] {
+impl VertexKey for [u32; 3] {
     fn hash(self) -> u64 {
         mix(self[0].into(), self[1].into(), self[2].into())
     }
@@ -46,7 +46,7 @@ impl Key for [u32; 3] {
     }
 }
 
-impl Key for [u64; 3] {
+impl VertexKey for [u64; 3] {
     fn hash(self) -> u64 {
         mix(self[0], self[1], self[2])
     }
@@ -98,19 +98,19 @@ pub(super) fn check(vertices: &[DVec3], v: u32) -> Result<DVec3> {
 }
 
 /// A hash table of indices into a list of distinct keys; it grows with the list.
-struct Table {
+struct KeyTable {
     slots: Vec<u32>,
 }
 
-impl Default for Table {
+impl Default for KeyTable {
     fn default() -> Self {
         Self { slots: vec![EMPTY; 1 << 10] }
     }
 }
 
-impl Table {
+impl KeyTable {
     /// Index of the key in `keys`, where it is appended if it is new.
-    fn index<K: Key>(&mut self, key: K, keys: &mut Vec<K>) -> u32 {
+    fn index<K: VertexKey>(&mut self, key: K, keys: &mut Vec<K>) -> u32 {
         let slot = self.slot(key, keys);
         if self.slots[slot] != EMPTY {
             return self.slots[slot];
@@ -125,7 +125,7 @@ impl Table {
     }
 
     /// The slot that holds the key, or the empty one where it belongs.
-    fn slot<K: Key>(&self, key: K, keys: &[K]) -> usize {
+    fn slot<K: VertexKey>(&self, key: K, keys: &[K]) -> usize {
         let mask = self.slots.len() - 1;
         let mut slot = key.hash() as usize & mask;
         while self.slots[slot] != EMPTY && keys[self.slots[slot] as usize] != key {
@@ -134,7 +134,7 @@ impl Table {
         slot
     }
 
-    fn grow<K: Key>(&mut self, keys: &[K]) {
+    fn grow<K: VertexKey>(&mut self, keys: &[K]) {
         self.slots = vec![EMPTY; 2 * self.slots.len()];
         for (index, &key) in keys.iter().enumerate() {
             let slot = self.slot(key, keys);
@@ -149,7 +149,7 @@ pub struct Chunk<K> {
     corners: Vec<u16>,
 }
 
-impl<K: Key> Chunk<K> {
+impl<K: VertexKey> Chunk<K> {
     /// Number of corners.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -165,18 +165,18 @@ impl<K: Key> Chunk<K> {
 
 /// Collects the corners of one chunk after the other.
 pub struct Collector<K> {
-    table: Table,
+    table: KeyTable,
     keys: Vec<K>,
     corners: Vec<u16>,
 }
 
-impl<K: Key> Default for Collector<K> {
+impl<K: VertexKey> Default for Collector<K> {
     fn default() -> Self {
-        Self { table: Table::default(), keys: Vec::new(), corners: Vec::new() }
+        Self { table: KeyTable::default(), keys: Vec::new(), corners: Vec::new() }
     }
 }
 
-impl<K: Key> Collector<K> {
+impl<K: VertexKey> Collector<K> {
     /// Adds a corner; a chunk holds at most [`CHUNK_CORNERS`].
     pub fn push(&mut self, key: K) {
         assert!(self.corners.len() < CHUNK_CORNERS, "a chunk is full");
@@ -206,12 +206,12 @@ struct Split {
     starts: Vec<usize>,
 }
 
-fn partition<K: Key>(key: K) -> usize {
+fn partition<K: VertexKey>(key: K) -> usize {
     (key.hash() >> 32) as usize % PARTITIONS
 }
 
 impl Split {
-    fn new<K: Key>(keys: &[K]) -> Self {
+    fn new<K: VertexKey>(keys: &[K]) -> Self {
         let mut starts = vec![0; PARTITIONS + 1];
         for &key in keys {
             starts[partition(key) + 1] += 1;
@@ -235,7 +235,7 @@ impl Split {
 }
 
 /// One partition of all chunks' keys.
-struct Part {
+struct KeyPartition {
     /// For each chunk, where its keys begin in `index`.
     starts: Vec<usize>,
     /// For each key of each chunk, the distinct key of the partition that it equals.
@@ -244,10 +244,10 @@ struct Part {
     first: Vec<(u32, u16)>,
 }
 
-impl Part {
-    fn new<K: Key>(p: usize, chunks: &[Chunk<K>], splits: &[Split]) -> Self {
+impl KeyPartition {
+    fn new<K: VertexKey>(p: usize, chunks: &[Chunk<K>], splits: &[Split]) -> Self {
         let count: usize = splits.iter().map(|split| split.part(p).len()).sum();
-        let mut table = Table::default();
+        let mut table = KeyTable::default();
         let (mut keys, mut first) = (Vec::new(), Vec::new());
         let (mut starts, mut index) = (Vec::with_capacity(chunks.len()), Vec::with_capacity(count));
         for (c, (chunk, split)) in chunks.iter().zip(splits).enumerate() {
@@ -269,10 +269,10 @@ impl Part {
 /// Writes the vertex of every corner into `ids`, whose length is the chunks' total, and returns
 /// the vertices in the order of their first occurrence.
 #[must_use]
-pub fn weld<K: Key>(chunks: &[Chunk<K>], ids: &mut [u32]) -> Vec<DVec3> {
+pub fn weld<K: VertexKey>(chunks: &[Chunk<K>], ids: &mut [u32]) -> Vec<DVec3> {
     let splits: Vec<Split> = chunks.par_iter().map(|chunk| Split::new(&chunk.keys)).collect();
-    let parts: Vec<Part> =
-        (0..PARTITIONS).into_par_iter().map(|p| Part::new(p, chunks, &splits)).collect();
+    let parts: Vec<KeyPartition> =
+        (0..PARTITIONS).into_par_iter().map(|p| KeyPartition::new(p, chunks, &splits)).collect();
     let (own, vertices) = number(chunks, &splits, &parts);
     let targets = split(ids, chunks.iter().map(Chunk::len));
     targets.into_par_iter().enumerate().for_each(|(c, target)| {
@@ -291,10 +291,10 @@ fn split<T>(mut slice: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&m
 
 /// Numbers first occurrences in the order of chunks and keys: for each chunk's key its vertex,
 /// or [`EMPTY`] where the key occurred in an earlier chunk; and the vertices.
-fn number<K: Key>(
+fn number<K: VertexKey>(
     chunks: &[Chunk<K>],
     splits: &[Split],
-    parts: &[Part],
+    parts: &[KeyPartition],
 ) -> (Vec<Vec<u32>>, Vec<DVec3>) {
     let fresh: Vec<Vec<bool>> =
         splits.par_iter().enumerate().map(|(c, split)| first_keys(c, split, parts)).collect();
@@ -320,7 +320,7 @@ fn number<K: Key>(
 }
 
 /// Which keys of chunk `c` occur in no earlier chunk.
-fn first_keys(c: usize, split: &Split, parts: &[Part]) -> Vec<bool> {
+fn first_keys(c: usize, split: &Split, parts: &[KeyPartition]) -> Vec<bool> {
     let mut fresh = vec![false; split.order.len()];
     for (p, part) in parts.iter().enumerate() {
         for (&k, &index) in split.part(p).iter().zip(&part.index[part.starts[c]..]) {
@@ -331,7 +331,7 @@ fn first_keys(c: usize, split: &Split, parts: &[Part]) -> Vec<bool> {
 }
 
 /// The vertex of each key of chunk `c`.
-fn key_ids(c: usize, split: &Split, parts: &[Part], own: &[Vec<u32>]) -> Vec<u32> {
+fn key_ids(c: usize, split: &Split, parts: &[KeyPartition], own: &[Vec<u32>]) -> Vec<u32> {
     let mut map = own[c].clone();
     for (p, part) in parts.iter().enumerate() {
         for (&k, &index) in split.part(p).iter().zip(&part.index[part.starts[c]..]) {

@@ -4,7 +4,7 @@ use crate::gcode::event::Step;
 
 /// Times of the lines of a text, as a planner tells them: rows of a line follow each other.
 #[derive(Debug, Clone, Copy)]
-pub struct Times<'a> {
+pub struct StrandTimes<'a> {
     /// Line of each row.
     pub lines: &'a [u64],
     /// How long each takes, s.
@@ -12,11 +12,11 @@ pub struct Times<'a> {
 }
 
 /// Begin and end of a move, s since the text began.
-pub(super) type Span = [f64; 2];
+pub(super) type TimeSpan = [f64; 2];
 
 /// When each step begins and ends: those of one line share its time by their paths, or, where
 /// nothing but filament moves, by that.
-pub(super) fn spans(steps: &[Step], times: Times<'_>) -> Vec<Span> {
+pub(super) fn spans(steps: &[Step], times: StrandTimes<'_>) -> Vec<TimeSpan> {
     let mut rows = times.lines.iter().zip(times.durations).peekable();
     let mut now = 0.0;
     let mut spans = Vec::with_capacity(steps.len());
@@ -62,7 +62,7 @@ mod tests {
     #[test]
     fn steps_of_a_line_share_its_time_and_dwells_come_between() {
         let steps = [step(1, 1.0), step(1, 3.0), step(3, 0.0), step(3, 0.0), step(9, 1.0)];
-        let times = Times { lines: &[1, 1, 2, 3], durations: &[1.0, 3.0, 0.5, 1.0] };
+        let times = StrandTimes { lines: &[1, 1, 2, 3], durations: &[1.0, 3.0, 0.5, 1.0] };
         let expected = [[0.0, 1.0], [1.0, 4.0], [4.5, 5.0], [5.0, 5.5], [5.5, 5.5]];
         assert_eq!(spans(&steps, times), expected);
     }

@@ -8,14 +8,14 @@ use serde::{Deserialize, Serialize};
 
 use super::beam::Section;
 use super::climate::Climate;
-use super::clock::{Times, spans};
+use super::clock::{StrandTimes, spans};
 use super::conditions::{Conditions, along};
 use super::contacts::contacts;
 use super::flows::{Flows, flows};
 use super::frame::Frame;
 use super::growing::grow;
 use super::growth::{carrying, rises};
-use super::hanging::{Stretch, stretches};
+use super::hanging::{HangingStretch, stretches};
 use super::holds::{Stroke, softness};
 use super::joints::{Joints, joints};
 use super::sagging::sagging;
@@ -85,7 +85,7 @@ pub fn forecast_text(
     settings: MachineSettings,
     macros: &Macros,
     rules: &Rules,
-    times: Times<'_>,
+    times: StrandTimes<'_>,
     terms: &Terms,
 ) -> Result<Forecast> {
     let read = Reading::of(text, settings, macros, rules.coldest);
@@ -168,7 +168,7 @@ impl Scene<'_> {
     }
 
     /// How far posts lean when the nozzle leaves them, if they set faster by so much.
-    fn holds(&self, hanging: &[Stretch], grown: &Grown, faster: f64) -> Found {
+    fn holds(&self, hanging: &[HangingStretch], grown: &Grown, faster: f64) -> Found {
         let Self { deposit, rules, terms, .. } = self;
         let mut found = Found::default();
         let moment = std::f64::consts::PI * rules.strand.powi(4) / 64.0;

@@ -3,13 +3,13 @@
 use glam::DVec3;
 
 use super::growth::rises;
-use crate::check::contact::Part;
+use crate::check::contact::StrandPart;
 use crate::check::deposit::Deposit;
 use crate::check::rules::Rules;
 
 /// A stretch in the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stretch {
+pub(super) struct HangingStretch {
     /// The first and the last strand that lie in it, maybe in part.
     pub strands: [usize; 2],
     /// Where it is held, and where it ends, mm.
@@ -22,7 +22,11 @@ pub(super) struct Stretch {
 
 /// Stretches in the order of printing: between contacts, the peaks of posts, and corners at which
 /// the head dwells long enough.
-pub(super) fn stretches(deposit: &Deposit, contacts: &[Vec<Part>], rules: &Rules) -> Vec<Stretch> {
+pub(super) fn stretches(
+    deposit: &Deposit,
+    contacts: &[Vec<StrandPart>],
+    rules: &Rules,
+) -> Vec<HangingStretch> {
     let mut found = Vec::new();
     let mut first = 0;
     for chain in deposit.links.chunk_by(|a, b| a.chain == b.chain) {
@@ -59,7 +63,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Goes along one strand with its parts in contact.
-    fn along(&mut self, strand: usize, contacts: &[Part], found: &mut Vec<Stretch>) {
+    fn along(&mut self, strand: usize, contacts: &[StrandPart], found: &mut Vec<HangingStretch>) {
         let [from, to] = self.deposit.strands[strand];
         let length = self.deposit.links[strand].length;
         let mut done = 0.0;
@@ -74,11 +78,11 @@ impl<'a> Walk<'a> {
     }
 
     /// Ends a stretch on a strand.
-    fn close(&mut self, strand: usize, at: DVec3, free: bool, found: &mut Vec<Stretch>) {
+    fn close(&mut self, strand: usize, at: DVec3, free: bool, found: &mut Vec<HangingStretch>) {
         if self.hung > 0.0 {
             let strands = [self.since, strand];
             let ends = [self.support, at];
-            found.push(Stretch { strands, ends, length: self.hung, free });
+            found.push(HangingStretch { strands, ends, length: self.hung, free });
         }
         // A contact says where it is left; what hangs from a free end begins on the next strand.
         self.since = strand + 1;

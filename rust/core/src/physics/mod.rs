@@ -35,7 +35,7 @@ mod six;
 mod weld;
 
 pub use beams::{Beams, beams_of_text};
-pub use clock::Times;
+pub use clock::StrandTimes;
 pub use conditions::Switch;
 pub use forecast::{Forecast, PerStrand, forecast_text};
 pub use growth::{Elastic, Growth, Peak, grow_text};

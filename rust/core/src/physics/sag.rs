@@ -26,14 +26,14 @@ const LEAST_MM: f64 = 1e-9;
 
 /// How finely a rod is divided.
 #[derive(Debug, Clone, Copy)]
-struct Fineness {
+struct SagFineness {
     /// Elements in each length of [`ELEMENT`] diameters.
     elements: u32,
     /// Steps of time in each element.
     steps: u32,
 }
 
-const USUAL: Fineness = Fineness { elements: 1, steps: 1 };
+const USUAL: SagFineness = SagFineness { elements: 1, steps: 1 };
 
 /// Elements that cool as they age.
 struct Cooling<'a> {
@@ -95,18 +95,18 @@ fn before(length: f64) -> usize {
 /// What it is off by is in proportion to the steps of time, for the nozzle goes on by one at a
 /// time: so it is laid twice, with steps of which one is half the other, and what both are off by
 /// taken away (Richardson's extrapolation).
-fn sag(matter: &Matter, fall: &Fall, speed: f64, length: f64, fineness: Fineness) -> f64 {
+fn sag(matter: &Matter, fall: &Fall, speed: f64, length: f64, fineness: SagFineness) -> f64 {
     let laid = |fineness| laid(matter, fall, speed, length, fineness);
     let coarse = laid(fineness);
     if coarse >= length {
         return length;
     }
-    let fine = laid(Fineness { steps: 2 * fineness.steps, ..fineness });
+    let fine = laid(SagFineness { steps: 2 * fineness.steps, ..fineness });
     if fine < length { (2.0 * fine - coarse).clamp(0.0, length) } else { length }
 }
 
 /// The same, with steps of time as they are.
-fn laid(matter: &Matter, fall: &Fall, speed: f64, length: f64, fineness: Fineness) -> f64 {
+fn laid(matter: &Matter, fall: &Fall, speed: f64, length: f64, fineness: SagFineness) -> f64 {
     let thermal = &matter.thermal;
     let ageing = Cooling { matter, fall };
     let mut rod = Rod::new(1000.0 * thermal.density_g_cm3);
@@ -152,7 +152,8 @@ mod tests {
             for (length, speed) in [(4.4, 30.0), (13.5, 30.0), (13.5, 5.0), (28.5, 30.0)] {
                 let of = |fineness| sag(&matter, &fall, speed, length, fineness);
                 let usual = of(USUAL);
-                for fineness in [Fineness { elements: 2, ..USUAL }, Fineness { steps: 2, ..USUAL }]
+                for fineness in
+                    [SagFineness { elements: 2, ..USUAL }, SagFineness { steps: 2, ..USUAL }]
                 {
                     let off = (of(fineness) - usual).abs();
                     let told = format!("{air} {length} {speed}: {usual} {off} {fineness:?}");

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::hanging::Stretch;
+use super::hanging::HangingStretch;
 use super::sag::Sags;
 use super::scene::{Found, Scene, Worst};
 
@@ -17,8 +17,8 @@ const OTHER_AIR: f64 = 10.0;
 type Way = (usize, u64);
 
 /// Sags by strand, mm (NaN where a strand does not hang), and the worst of them.
-pub(super) fn sagging(scene: &Scene<'_>, hanging: &[Stretch]) -> (Vec<f64>, Found) {
-    let hanging: Vec<&Stretch> = hanging
+pub(super) fn sagging(scene: &Scene<'_>, hanging: &[HangingStretch]) -> (Vec<f64>, Found) {
+    let hanging: Vec<&HangingStretch> = hanging
         .iter()
         .filter(|one| {
             !one.free && one.strands[0] <= one.strands[1] && scene.carries[one.strands[1]]
@@ -53,7 +53,7 @@ pub(super) fn sagging(scene: &Scene<'_>, hanging: &[Stretch]) -> (Vec<f64>, Foun
 }
 
 /// How a stretch is laid.
-fn way(scene: &Scene<'_>, stretch: &Stretch) -> Way {
+fn way(scene: &Scene<'_>, stretch: &HangingStretch) -> Way {
     let last = stretch.strands[1];
     let step = &scene.read.notes.moves[scene.deposit.steps[last] as usize];
     let speed = step.speed.min(scene.rules.limits.feed) / SPEED_MM_S;
@@ -61,7 +61,7 @@ fn way(scene: &Scene<'_>, stretch: &Stretch) -> Way {
 }
 
 /// Tables for the ways by which most is laid.
-fn tables(scene: &Scene<'_>, hanging: &[&Stretch], ways: &[Way]) -> Vec<(Way, Sags)> {
+fn tables(scene: &Scene<'_>, hanging: &[&HangingStretch], ways: &[Way]) -> Vec<(Way, Sags)> {
     let mut laid: Vec<(Way, f64, [f64; 2])> = Vec::new();
     let mut order: Vec<usize> = (0..ways.len()).collect();
     order.sort_by_key(|&i| ways[i]);
@@ -99,7 +99,7 @@ fn unlike(a: Way, b: Way) -> f64 {
 
 /// How much of a level stretch's sag a slanted one has: the weight across it is less, and the sag
 /// of a string that flows grows with the third root of that, of a beam in proportion; the greater.
-fn level_share(stretch: &Stretch) -> f64 {
+fn level_share(stretch: &HangingStretch) -> f64 {
     let run = stretch.ends[1] - stretch.ends[0];
     let length = run.length();
     if length > 0.0 { (run.truncate().length() / length).cbrt() } else { 1.0 }

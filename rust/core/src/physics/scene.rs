@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::climate::Climate;
-use super::clock::Span;
+use super::clock::TimeSpan;
 use super::conditions::Switch;
 use super::flow::Matter;
 use crate::check::deposit::Deposit;
@@ -96,7 +96,7 @@ pub(super) struct Scene<'a> {
     pub rules: &'a Rules,
     pub terms: &'a Terms,
     /// Begin and end of each move, s.
-    pub spans: &'a [Span],
+    pub spans: &'a [TimeSpan],
     pub climate: &'a Climate,
     /// Which strands carry anything.
     pub carries: &'a [bool],
@@ -104,7 +104,7 @@ pub(super) struct Scene<'a> {
 
 impl Scene<'_> {
     /// Begin and end of a strand, s.
-    pub(super) fn span(&self, strand: usize) -> Span {
+    pub(super) fn span(&self, strand: usize) -> TimeSpan {
         self.spans[self.deposit.steps[strand] as usize]
     }
 

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::klipper::Klipper;
 use super::limits::{Firmware, Limits};
 use super::marlin::{Junction, Marlin};
-use super::tally::{Feed, Layer, Moves, Tally};
+use super::tally::{Feed, LayerTime, Moves, Tally};
 use crate::error::{CoreError, Result};
 use crate::gcode::command::{Command, Words};
 use crate::gcode::event::{Event, Step};
@@ -64,7 +64,7 @@ pub struct Estimate {
     /// the order of the file, `other` for strands without; adds up to moving and dwelling.
     pub by_feature: Vec<(String, f64)>,
     /// Time by layer; the first entry is what comes before the first layer, if anything does.
-    pub by_layer: Vec<Layer>,
+    pub by_layer: Vec<LayerTime>,
     /// Filament used, mm: the furthest that it was ever fed.
     pub filament_mm: f64,
     /// Moves, arcs counted by their chords.
@@ -90,7 +90,7 @@ impl Estimate {
 /// # Errors
 /// [`CoreError::Setting`] for a limit out of bounds.
 pub fn estimate(text: &[u8], limits: &Limits, options: &Options) -> Result<Estimate> {
-    Pass { limits, options }.over(|| Ok(text))
+    EstimateInput { limits, options }.over(|| Ok(text))
 }
 
 /// Estimates files in parallel, the results in their order, in memory that does not grow with their
@@ -109,7 +109,7 @@ pub fn estimate_files<P: AsRef<Path> + Sync>(
         let path = path.as_ref();
         let named = |e: std::io::Error| CoreError::Gcode(format!("{}: {e}", path.display()));
         let mut file = File::open(path).map_err(named)?;
-        Pass { limits, options }.over(|| {
+        EstimateInput { limits, options }.over(|| {
             file.rewind().map_err(named)?;
             file.try_clone().map_err(named)
         })
@@ -118,12 +118,12 @@ pub fn estimate_files<P: AsRef<Path> + Sync>(
 }
 
 /// What a text is estimated with.
-struct Pass<'a> {
+struct EstimateInput<'a> {
     limits: &'a Limits,
     options: &'a Options,
 }
 
-impl Pass<'_> {
+impl EstimateInput<'_> {
     /// Estimates what `open` opens: once for the mode of E, up to where the text states it, and once
     /// for its time.
     fn over<R: Read>(&self, mut open: impl FnMut() -> Result<R>) -> Result<Estimate> {
@@ -133,7 +133,7 @@ impl Pass<'_> {
         let relative = mode.is_relative();
         let settings = self.limits.machine_settings(self.options.firmware, relative);
         let mut machine = Machine::new(settings);
-        let mut run = Run::new(self.limits, self.options);
+        let mut run = TimedFile::new(self.limits, self.options);
         stream(open()?, |line, command| {
             machine.apply(line, command, |event| run.take(line, event));
             ControlFlow::Continue(())
@@ -148,7 +148,7 @@ enum Planner {
 }
 
 /// A file under way.
-struct Run {
+struct TimedFile {
     planner: Planner,
     tally: Tally,
     allowances: Allowances,
@@ -162,7 +162,7 @@ struct Run {
     garbage_lines: u64,
 }
 
-impl Run {
+impl TimedFile {
     fn new(limits: &Limits, options: &Options) -> Self {
         let marlin = |junction| Planner::Marlin(Box::new(Marlin::new(limits, junction)));
         let planner = match options.firmware {

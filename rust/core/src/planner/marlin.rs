@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use glam::{DVec3, DVec4};
 
 use super::limits::{Kinematics, Limits, MarlinLimits, set_positive};
-use super::queue::{BATCH, MOST, Sink, Tag};
+use super::queue::{BATCH, MOST, MoveTag, Sink};
 use super::trapezoid::{duration, peak_v2};
 use crate::gcode::command::{Command, Words};
 use crate::gcode::event::Step;
@@ -47,7 +47,7 @@ struct Move {
     start_v2: f64,
     /// Least speed that the planner knows.
     least_v2: f64,
-    tag: Tag,
+    tag: MoveTag,
 }
 
 impl Move {
@@ -97,7 +97,7 @@ impl Marlin {
 
     /// Queues a step; moves whose speeds are certain go to `sink`.
     #[inline]
-    pub(super) fn push(&mut self, step: &Step, tag: Tag, sink: &mut impl Sink) {
+    pub(super) fn push(&mut self, step: &Step, tag: MoveTag, sink: &mut impl Sink) {
         let displacement = step.to - step.from;
         let head_d = displacement.length();
         let standing = head_d < STANDING_D;

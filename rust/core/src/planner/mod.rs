@@ -15,4 +15,4 @@ mod trapezoid;
 
 pub use estimate::{Allowances, Estimate, Options, estimate, estimate_files};
 pub use limits::{DeltaGeometry, Firmware, Kinematics, Limits, MarlinLimits};
-pub use tally::{Layer, Moves};
+pub use tally::{LayerTime, Moves};

@@ -9,7 +9,7 @@ pub(super) const MOST: usize = 1 << 15;
 
 /// What the tally must know of a move once its time is known.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Tag {
+pub(super) struct MoveTag {
     /// Line of the file.
     pub line: u64,
     /// Layer that it belongs to.
@@ -21,5 +21,5 @@ pub(super) struct Tag {
 /// Takes the moves in order, each with its time.
 pub(super) trait Sink {
     /// A move takes `seconds`.
-    fn take(&mut self, tag: Tag, seconds: f64);
+    fn take(&mut self, tag: MoveTag, seconds: f64);
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::queue::{Sink, Tag};
+use super::queue::{MoveTag, Sink};
 
 /// Classes of time that geometry alone tells; labelled strands come after them.
 const TRAVEL: u16 = 0;
@@ -18,7 +18,7 @@ const UNLABELLED: &str = "other";
 
 /// A layer's height and time.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Layer {
+pub struct LayerTime {
     /// Height, mm, as its comment states it, else the end of its first strand; `None` where
     /// nothing is extruded.
     pub z: Option<f64>,
@@ -43,7 +43,7 @@ pub struct Moves {
 #[derive(Debug)]
 pub(super) struct Tally {
     classes: Vec<f64>,
-    layers: Vec<Layer>,
+    layers: Vec<LayerTime>,
     moves: Option<Moves>,
     fed_mm: f64,
     filament_mm: f64,
@@ -57,7 +57,7 @@ pub(super) struct Totals {
     pub(super) dwell_s: f64,
     pub(super) filament_mm: f64,
     pub(super) by_feature: Vec<(String, f64)>,
-    pub(super) by_layer: Vec<Layer>,
+    pub(super) by_layer: Vec<LayerTime>,
     pub(super) moves: Option<Moves>,
 }
 
@@ -65,7 +65,7 @@ impl Tally {
     pub(super) fn new(per_move: bool) -> Self {
         Self {
             classes: vec![0.0; usize::from(FIRST_FEATURE)],
-            layers: vec![Layer { z: None, time_s: 0.0 }],
+            layers: vec![LayerTime { z: None, time_s: 0.0 }],
             moves: per_move.then(Moves::default),
             fed_mm: 0.0,
             filament_mm: 0.0,
@@ -74,7 +74,7 @@ impl Tally {
 
     /// Notes a step's filament and says what its time will count as.
     #[inline]
-    pub(super) fn tag(&mut self, line: u64, feature: u16, feed: Feed) -> Tag {
+    pub(super) fn tag(&mut self, line: u64, feature: u16, feed: Feed) -> MoveTag {
         let class = match feed {
             Feed::None => TRAVEL,
             Feed::Standing(_) => RETRACT,
@@ -90,7 +90,7 @@ impl Tally {
         {
             layer.z.get_or_insert(z);
         }
-        Tag { line, layer: self.current_layer(), class }
+        MoveTag { line, layer: self.current_layer(), class }
     }
 
     #[inline]
@@ -108,7 +108,7 @@ impl Tally {
     }
 
     pub(super) fn begin_layer(&mut self) {
-        self.layers.push(Layer { z: None, time_s: 0.0 });
+        self.layers.push(LayerTime { z: None, time_s: 0.0 });
     }
 
     pub(super) fn set_layer_height(&mut self, z: f64) {
@@ -119,7 +119,7 @@ impl Tally {
 
     /// Notes a dwell; every move before it must have left its queue.
     pub(super) fn dwell(&mut self, line: u64, seconds: f64) {
-        let tag = Tag { line, layer: self.current_layer(), class: DWELL };
+        let tag = MoveTag { line, layer: self.current_layer(), class: DWELL };
         self.take(tag, seconds);
     }
 
@@ -166,7 +166,7 @@ pub(super) enum Feed {
 
 impl Sink for Tally {
     #[inline]
-    fn take(&mut self, tag: Tag, seconds: f64) {
+    fn take(&mut self, tag: MoveTag, seconds: f64) {
         if let Some(class) = self.classes.get_mut(usize::from(tag.class)) {
             *class += seconds;
         }

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::camera::Camera;
-use super::scene::{Facet, Rgb, Scene, Stroke, Width, bounds};
+use super::scene::{DrawnStroke, Facet, Rgb, Scene, Width, bounds};
 
 /// Distance of the grid's lines, mm.
 const GRID_MM: f64 = 10.0;
@@ -34,9 +34,9 @@ pub(super) fn below(scene: &Scene, camera: &Camera) -> Option<Scene> {
 }
 
 /// Strands seen by a lamp straight above, on the bed.
-fn shadows(scene: &Scene) -> impl Iterator<Item = Stroke> {
+fn shadows(scene: &Scene) -> impl Iterator<Item = DrawnStroke> {
     let flat = |p: DVec3| p.with_z(-LAYER_MM);
-    scene.strokes.iter().filter(|s| matches!(s.width, Width::Tube(_))).map(move |s| Stroke {
+    scene.strokes.iter().filter(|s| matches!(s.width, Width::Tube(_))).map(move |s| DrawnStroke {
         from: flat(s.from),
         to: flat(s.to),
         width: Width::Line(1.5),
@@ -44,10 +44,10 @@ fn shadows(scene: &Scene) -> impl Iterator<Item = Stroke> {
     })
 }
 
-fn grid(low: DVec2, high: DVec2, step: f64) -> Vec<Stroke> {
+fn grid(low: DVec2, high: DVec2, step: f64) -> Vec<DrawnStroke> {
     let line = |from: DVec2, to: DVec2| {
         let [from, to] = [from, to].map(|p| p.extend(-2.0 * LAYER_MM));
-        Stroke { from, to, width: Width::Line(1.2), colour: LINE }
+        DrawnStroke { from, to, width: Width::Line(1.2), colour: LINE }
     };
     let ticks = |low: f64, high: f64| {
         let count = ((high - low) / step).round() as usize;

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::DVec3;
 
-use super::image::Frame;
+use super::image::PictureFrame;
 use super::scene::{Scene, bounds};
 use crate::error::{CoreError, Result};
 
@@ -69,7 +69,7 @@ const NEAR: f64 = 0.05;
 
 impl Projector {
     /// Looks at the middle of the scenes and fills the frame within its margins.
-    pub(super) fn fit(camera: &Camera, scenes: &[&Scene], frame: &Frame) -> Self {
+    pub(super) fn fit(camera: &Camera, scenes: &[&Scene], frame: &PictureFrame) -> Self {
         let points: Vec<DVec3> = scenes.iter().flat_map(|scene| scene.framed_points()).collect();
         let points = || points.iter().copied();
         let (low, high) = bounds(points()).unwrap_or((DVec3::ZERO, DVec3::ONE));
@@ -93,7 +93,7 @@ impl Projector {
     }
 
     /// Scales and shifts the screen so that `points` fill the frame.
-    fn fill(&mut self, points: impl Iterator<Item = DVec3>, frame: &Frame) {
+    fn fill(&mut self, points: impl Iterator<Item = DVec3>, frame: &PictureFrame) {
         let seen = points.map(|p| self.project(p)).map(|s| DVec3::new(s.x, s.y, s.key));
         let (low, high) = bounds(seen).unwrap_or((DVec3::ZERO, DVec3::ONE));
         self.nearest = high.z;

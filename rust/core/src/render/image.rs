@@ -14,7 +14,7 @@ type Encoder<'a> = png::Encoder<'a, &'a mut Vec<u8>>;
 
 /// Size, margins and ground of a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
+pub struct PictureFrame {
     /// Pixels across, 1–16384.
     pub width: usize,
     /// Pixels down, 1–16384.
@@ -27,7 +27,7 @@ pub struct Frame {
     pub ground: Option<Rgb>,
 }
 
-impl Frame {
+impl PictureFrame {
     /// The longest side of a picture, pixels.
     pub const LONGEST: usize = 16_384;
 
@@ -57,7 +57,7 @@ impl Frame {
 
 /// How the bytes of a small picture are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum PictureFormat {
     /// A PNG file of at most 64 colours: [`Image::thumbnail_png`].
     Png,
     /// A QOI file, which Prusa's printers show.
@@ -121,11 +121,11 @@ impl Image {
     ///
     /// # Errors
     /// [`CoreError::Io`] where the encoder fails.
-    pub fn thumbnail(&self, form: Form) -> Result<Vec<u8>> {
+    pub fn thumbnail(&self, form: PictureFormat) -> Result<Vec<u8>> {
         match form {
-            Form::Png => self.thumbnail_png(),
+            PictureFormat::Png => self.thumbnail_png(),
             // A frame's sides are bounded, so they fit.
-            Form::Qoi => {
+            PictureFormat::Qoi => {
                 Ok(qoi::encoded(self.width as u32, self.height as u32, &self.in_few_colours()))
             }
         }

@@ -26,8 +26,8 @@ mod triangle;
 
 pub use camera::Camera;
 use camera::Projector;
-pub use image::{Form, Frame, Image};
-pub use scene::{Facet, Rgb, Scene, Stroke, Width};
+pub use image::{Image, PictureFormat, PictureFrame};
+pub use scene::{DrawnStroke, Facet, Rgb, Scene, Width};
 pub use strands::Strands;
 
 use crate::error::{CoreError, Result};
@@ -37,7 +37,7 @@ use crate::error::{CoreError, Result};
 /// # Errors
 /// [`CoreError::Setting`] where the frame or the camera is out of bounds, or a coordinate is not
 /// finite.
-pub fn render(scene: &Scene, camera: &Camera, frame: &Frame) -> Result<Image> {
+pub fn render(scene: &Scene, camera: &Camera, frame: &PictureFrame) -> Result<Image> {
     check(scene, camera)?;
     frame.check()?;
     let floor = scene.floor.then(|| bed::below(scene, camera)).flatten();
@@ -54,14 +54,14 @@ pub fn render(scene: &Scene, camera: &Camera, frame: &Frame) -> Result<Image> {
 pub fn thumbnails(
     scene: &Scene,
     camera: &Camera,
-    sizes: &[(usize, usize, Form)],
+    sizes: &[(usize, usize, PictureFormat)],
     margin: f64,
 ) -> Result<Vec<Vec<u8>>> {
     check(scene, camera)?;
-    let frame = |&(width, height, form): &(usize, usize, Form)| {
-        (Frame { width, height, supersample: 1, margins: [margin; 4], ground: None }, form)
+    let frame = |&(width, height, form): &(usize, usize, PictureFormat)| {
+        (PictureFrame { width, height, supersample: 1, margins: [margin; 4], ground: None }, form)
     };
-    let frames: Vec<(Frame, Form)> = sizes.iter().map(frame).collect();
+    let frames: Vec<(PictureFrame, PictureFormat)> = sizes.iter().map(frame).collect();
     frames.iter().try_for_each(|(frame, _)| frame.check())?;
     thumbnail::files(scene, camera, &frames)
 }

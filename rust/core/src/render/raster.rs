@@ -4,26 +4,26 @@ use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
 use super::camera::Projector;
-use super::image::{Frame, Image};
+use super::image::{Image, PictureFrame};
 use super::sample::{BEHIND, GROUND, Sight};
 use super::scene::Scene;
 use super::shade::Shader;
 use super::stroke::Capsule;
 use super::tiles::{SIDE, Tiles, touched, within};
-use super::triangle::Triangle;
+use super::triangle::ProjectedFacet;
 
 /// The scene on the screen, sorted into tiles.
 struct Screen<'a> {
     capsules: Vec<Capsule>,
-    triangles: Vec<Triangle>,
+    triangles: Vec<ProjectedFacet>,
     capsule_tiles: Tiles,
     triangle_tiles: Tiles,
-    frame: &'a Frame,
+    frame: &'a PictureFrame,
     shader: Shader,
 }
 
 /// Paints the whole picture, one band of tiles per task.
-pub(super) fn paint(scenes: &[&Scene], projector: &Projector, frame: &Frame) -> Image {
+pub(super) fn paint(scenes: &[&Scene], projector: &Projector, frame: &PictureFrame) -> Image {
     let screen = Screen::new(scenes, projector, frame);
     let mut rgba = vec![0_u8; frame.width * frame.height * 4];
     rgba.par_chunks_mut(frame.width * 4 * SIDE)
@@ -34,17 +34,17 @@ pub(super) fn paint(scenes: &[&Scene], projector: &Projector, frame: &Frame) -> 
 }
 
 impl<'a> Screen<'a> {
-    fn new(scenes: &[&Scene], projector: &Projector, frame: &'a Frame) -> Self {
+    fn new(scenes: &[&Scene], projector: &Projector, frame: &'a PictureFrame) -> Self {
         let supersample = frame.supersample as f64;
         let capsules: Vec<Capsule> = scenes
             .par_iter()
             .flat_map(|scene| &scene.strokes)
             .filter_map(|stroke| Capsule::new(stroke, projector, supersample, 0.0))
             .collect();
-        let triangles: Vec<Triangle> = scenes
+        let triangles: Vec<ProjectedFacet> = scenes
             .par_iter()
             .flat_map(|scene| &scene.facets)
-            .filter_map(|facet| Triangle::new(facet, projector))
+            .filter_map(|facet| ProjectedFacet::new(facet, projector))
             .collect();
         let (columns, rows) = (frame.width.div_ceil(SIDE), frame.height.div_ceil(SIDE));
         let side = SIDE * frame.supersample;
@@ -184,7 +184,7 @@ impl Tile {
         self.fill(capsule.rows(), |y| capsule.swath.span(y), draw);
     }
 
-    fn draw_triangle(&mut self, triangle: &Triangle, sight: Sight) {
+    fn draw_triangle(&mut self, triangle: &ProjectedFacet, sight: Sight) {
         let draw = |at, keys: &mut [f32], sights: &mut [_]| triangle.draw(at, keys, sights, sight);
         self.fill(triangle.rows(), |y| triangle.span(y), draw);
     }

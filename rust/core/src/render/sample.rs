@@ -2,11 +2,11 @@
 
 use glam::Vec3;
 
-use super::image::Frame;
+use super::image::PictureFrame;
 use super::tiles::SIDE;
 
 /// What light needs to know of a sample.
-pub(super) struct Sample {
+pub(super) struct LitSample {
     /// The surface's direction, in the camera's axes.
     pub normal: Vec3,
     /// How near it is.
@@ -23,8 +23,8 @@ pub(super) const BEHIND: f32 = f32::NEG_INFINITY;
 
 /// 0, 1, 2 … as far as the columns of a tile go: a counter would keep the compiler from doing
 /// several samples at a time.
-pub(super) const COLUMNS: [f32; SIDE * Frame::FINEST] = {
-    let mut columns = [0.0; SIDE * Frame::FINEST];
+pub(super) const COLUMNS: [f32; SIDE * PictureFrame::FINEST] = {
+    let mut columns = [0.0; SIDE * PictureFrame::FINEST];
     let mut i = 1;
     while i < columns.len() {
         columns[i] = columns[i - 1] + 1.0;

@@ -20,7 +20,7 @@ pub enum Width {
 
 /// One straight stroke.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stroke {
+pub struct DrawnStroke {
     /// Where it begins, mm.
     pub from: DVec3,
     /// Where it ends, mm.
@@ -46,7 +46,7 @@ pub struct Facet {
 #[derive(Debug, Clone, Default)]
 pub struct Scene {
     /// Strands, lines and marks.
-    pub strokes: Vec<Stroke>,
+    pub strokes: Vec<DrawnStroke>,
     /// Triangles.
     pub facets: Vec<Facet>,
     /// Whether a piece of the bed, z = 0, is drawn below, with a 10 mm grid and shadows.
@@ -71,7 +71,12 @@ impl Scene {
                 // An edge of two faces is drawn with the first; a rim has no second (`NO_FACE`).
                 if *neighbour as usize > f {
                     let (from, to) = (corners[i], corners[(i + 1) % 3]);
-                    self.strokes.push(Stroke { from, to, width: Width::Line(EDGE_PX), colour });
+                    self.strokes.push(DrawnStroke {
+                        from,
+                        to,
+                        width: Width::Line(EDGE_PX),
+                        colour,
+                    });
                 }
             }
         }
@@ -89,7 +94,7 @@ impl Scene {
     /// The points that a picture must show: lines count only where there is nothing else, since
     /// travels come from far away.
     pub(super) fn framed_points(&self) -> Vec<DVec3> {
-        let is_line = |stroke: &Stroke| matches!(stroke.width, Width::Line(_));
+        let is_line = |stroke: &DrawnStroke| matches!(stroke.width, Width::Line(_));
         let only_lines = self.facets.is_empty() && self.strokes.iter().all(is_line);
         let mut points = Vec::with_capacity(self.strokes.len() + 3 * self.facets.len());
         for stroke in self.strokes.iter().filter(|stroke| only_lines || !is_line(stroke)) {

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use super::sample::Sample;
+use super::sample::LitSample;
 use super::scene::Rgb;
 
 /// Where the light comes from, in the camera's axes: over the left shoulder.
@@ -53,7 +53,7 @@ impl Shader {
     }
 
     /// The colour of a sample on a surface, each channel in 0–255.
-    pub(super) fn light(&self, sample: &Sample, colour: Rgb, lit: bool) -> Vec3 {
+    pub(super) fn light(&self, sample: &LitSample, colour: Rgb, lit: bool) -> Vec3 {
         let base = vector(colour);
         if !lit {
             return base;

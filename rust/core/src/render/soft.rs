@@ -6,7 +6,7 @@ use glam::{Vec2, Vec4};
 
 use super::camera::Projector;
 use super::sample::BEHIND;
-use super::scene::Stroke;
+use super::scene::DrawnStroke;
 use super::shade::{Gloss, Shader};
 use super::stroke::{Capsule, HALO, HALO_DEPTH, Swath};
 use super::tiles::within;
@@ -20,7 +20,7 @@ const EDGE: f32 = 0.5;
 
 /// Neighbouring pixels of a row, one in each lane.
 #[derive(Clone, Copy)]
-pub(super) struct Block {
+pub(super) struct Pixels {
     /// How near the nearest thing is that fills more than half of the pixel.
     key: Vec4,
     /// Red, green and blue in 0–255, each times alpha.
@@ -29,7 +29,7 @@ pub(super) struct Block {
     pub(super) alpha: Vec4,
 }
 
-impl Block {
+impl Pixels {
     pub(super) const EMPTY: Self =
         Self { key: Vec4::splat(BEHIND), colour: [Vec4::ZERO; 3], alpha: Vec4::ZERO };
 
@@ -54,25 +54,25 @@ impl Block {
 }
 
 /// Some rows of a picture in the making.
-pub(super) struct Band {
+pub(super) struct PictureRows {
     /// The upper edge of the first row.
     top: f32,
     width: usize,
     height: usize,
     /// Blocks in a row.
     row: usize,
-    blocks: Vec<Block>,
+    blocks: Vec<Pixels>,
 }
 
-impl Band {
+impl PictureRows {
     /// So many empty rows from `top` on, each `width` pixels wide.
     pub(super) fn new(top: f32, width: usize, height: usize) -> Self {
         let row = width.div_ceil(LANES);
-        Self { top, width, height, row, blocks: vec![Block::EMPTY; row * height] }
+        Self { top, width, height, row, blocks: vec![Pixels::EMPTY; row * height] }
     }
 
     /// The blocks of each row.
-    pub(super) fn lines(&self) -> impl Iterator<Item = &[Block]> {
+    pub(super) fn lines(&self) -> impl Iterator<Item = &[Pixels]> {
         self.blocks.chunks(self.row)
     }
 }
@@ -101,7 +101,7 @@ pub(super) struct SoftStroke {
 impl SoftStroke {
     /// The strand as the projector shows it, and how near its middle is; `None` behind the camera.
     pub(super) fn new(
-        stroke: &Stroke,
+        stroke: &DrawnStroke,
         projector: &Projector,
         shader: &Shader,
     ) -> Option<(f32, Self)> {
@@ -128,7 +128,7 @@ impl SoftStroke {
     }
 
     /// Blends the strand into a band.
-    pub(super) fn blend(&self, band: &mut Band) {
+    pub(super) fn blend(&self, band: &mut PictureRows) {
         let from = self.from - Vec2::new(0.0, band.top);
         for row in within(self.rows, band.top, band.height) {
             let y = row as f32 + 0.5;
@@ -147,7 +147,7 @@ impl SoftStroke {
 
     /// Blends the strand into pixels so far along and across its axis.
     #[inline]
-    fn draw(&self, block: &mut Block, along: Vec4, across: Vec4) {
+    fn draw(&self, block: &mut Pixels, along: Vec4, across: Vec4) {
         let inside = along.max(Vec4::ZERO).min(Vec4::splat(self.length));
         let beyond = along - inside;
         let away2 = across * across + beyond * beyond;

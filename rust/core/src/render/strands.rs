@@ -3,7 +3,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::scene::{Rgb, Scene, Stroke, Width};
+use super::scene::{DrawnStroke, Rgb, Scene, Width};
 use crate::error::{CoreError, Result};
 use crate::gcode::arc::Fineness;
 use crate::gcode::command::Command;
@@ -137,12 +137,13 @@ impl Strands {
         for ((&[from, to], diameter), &feature) in strands {
             if let Some(colour) = palette.get(usize::from(feature)).copied().flatten() {
                 let width = Width::Tube(diameter / 2.0);
-                scene.strokes.push(Stroke { from, to, width, colour });
+                scene.strokes.push(DrawnStroke { from, to, width, colour });
             }
         }
         if let Some(colour) = travel {
             let width = Width::Line(TRAVEL_PX);
-            let lines = self.travels.iter().map(|&[from, to]| Stroke { from, to, width, colour });
+            let lines =
+                self.travels.iter().map(|&[from, to]| DrawnStroke { from, to, width, colour });
             scene.strokes.extend(lines);
         }
     }

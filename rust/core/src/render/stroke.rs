@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3};
 
 use super::camera::Projector;
-use super::sample::{BEHIND, COLUMNS, GROUND, Sample, Sight};
-use super::scene::{Rgb, Stroke, Width};
+use super::sample::{BEHIND, COLUMNS, GROUND, LitSample, Sight};
+use super::scene::{DrawnStroke, Rgb, Width};
 
 /// Width of the gap that a strand leaves in strands behind it, as a share of its radius.
 pub(super) const HALO: f32 = 0.55;
@@ -66,7 +66,7 @@ impl Capsule {
     /// The stroke as the projector shows it, with an edge of this many samples around it; `None`
     /// behind the camera.
     pub(super) fn new(
-        stroke: &Stroke,
+        stroke: &DrawnStroke,
         projector: &Projector,
         supersample: f64,
         edge: f32,
@@ -162,13 +162,13 @@ impl Capsule {
     }
 
     /// What light needs to know of a sample on the stroke's body.
-    pub(super) fn surface(&self, at: Vec2) -> Sample {
+    pub(super) fn surface(&self, at: Vec2) -> LitSample {
         let place = at - self.from;
         let (t, _, radius) = self.foot(place);
         let away = (place - t * self.along) / radius;
         let height = (1.0 - away.length_squared()).max(0.0).sqrt();
         let facing = if t > 0.0 && t < 1.0 { self.facing } else { Vec3::Z };
-        Sample {
+        LitSample {
             normal: Vec3::new(away.x, -away.y, 0.0) + height * facing,
             key: self.key + t * self.key_step,
             rim: height,

@@ -7,11 +7,11 @@ use glam::Vec4;
 use rayon::prelude::*;
 
 use super::camera::{Camera, Projector};
-use super::image::{Form, Frame, Image};
+use super::image::{Image, PictureFormat, PictureFrame};
 use super::scene::Scene;
 use super::shade::Shader;
 use super::shrink::{can_shrink, shrink};
-use super::soft::{Band, Block, LANES, SoftStroke};
+use super::soft::{LANES, PictureRows, Pixels, SoftStroke};
 use super::tiles::touched;
 use crate::error::Result;
 
@@ -33,7 +33,7 @@ struct Canvas {
 pub(super) fn files(
     scene: &Scene,
     camera: &Camera,
-    frames: &[(Frame, Form)],
+    frames: &[(PictureFrame, PictureFormat)],
 ) -> Result<Vec<Vec<u8>>> {
     let mut largest_first: Vec<usize> = (0..frames.len()).collect();
     largest_first.sort_by_key(|&i| Reverse(frames[i].0.width));
@@ -43,7 +43,7 @@ pub(super) fn files(
             painted.push(paint(scene, camera, &frames[i].0));
         }
     }
-    let file = |(frame, form): &(Frame, Form)| match source(&painted, frame) {
+    let file = |(frame, form): &(PictureFrame, PictureFormat)| match source(&painted, frame) {
         Some(image) if image.width == frame.width => image.thumbnail(*form),
         Some(larger) => shrink(larger, frame.width, frame.height).thumbnail(*form),
         None => paint(scene, camera, frame).thumbnail(*form),
@@ -56,8 +56,8 @@ pub(super) fn files(
 }
 
 /// The picture that fills a frame or that can be scaled down to it.
-fn source<'a>(painted: &'a [Image], frame: &Frame) -> Option<&'a Image> {
-    let Frame { width, height, .. } = *frame;
+fn source<'a>(painted: &'a [Image], frame: &PictureFrame) -> Option<&'a Image> {
+    let PictureFrame { width, height, .. } = *frame;
     let fits = |image: &&Image| {
         (image.width, image.height) == (width, height) || can_shrink(image, width, height)
     };
@@ -66,7 +66,7 @@ fn source<'a>(painted: &'a [Image], frame: &Frame) -> Option<&'a Image> {
 
 /// Paints a scene's strokes band by band, on all threads but one: the text of the file is written
 /// beside it.
-fn paint(scene: &Scene, camera: &Camera, frame: &Frame) -> Image {
+fn paint(scene: &Scene, camera: &Camera, frame: &PictureFrame) -> Image {
     let projector = Projector::fit(camera, &[scene], frame);
     let canvas = Canvas::new(scene, &projector, frame);
     let mut rgba = vec![0_u8; frame.width * frame.height * 4];
@@ -87,7 +87,7 @@ fn paint(scene: &Scene, camera: &Camera, frame: &Frame) -> Image {
 }
 
 impl Canvas {
-    fn new(scene: &Scene, projector: &Projector, frame: &Frame) -> Self {
+    fn new(scene: &Scene, projector: &Projector, frame: &PictureFrame) -> Self {
         let shader = Shader::new(projector.nearest(), projector.depth(), frame.ground);
         let seen = scene.strokes.par_iter().with_min_len(FEWEST);
         let stroke = |stroke| SoftStroke::new(stroke, projector, &shader);
@@ -109,7 +109,7 @@ impl Canvas {
         if self.bands[number].is_empty() {
             return;
         }
-        let mut band = Band::new((number * ROWS) as f32, self.width, ROWS);
+        let mut band = PictureRows::new((number * ROWS) as f32, self.width, ROWS);
         let mut far_to_near = self.bands[number].clone();
         far_to_near.sort_unstable();
         for key in far_to_near {
@@ -131,7 +131,7 @@ fn ordered(value: f32) -> u64 {
 }
 
 /// Writes blocks as RGBA bytes, as many as there is room for.
-fn write(blocks: &[Block], line: &mut [u8]) {
+fn write(blocks: &[Pixels], line: &mut [u8]) {
     for (block, pixels) in blocks.iter().zip(line.chunks_mut(LANES * 4)) {
         if block.alpha == Vec4::ZERO {
             continue;

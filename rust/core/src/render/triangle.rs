@@ -3,12 +3,12 @@
 use glam::{Vec2, Vec3};
 
 use super::camera::Projector;
-use super::sample::{COLUMNS, Sample, Sight};
+use super::sample::{COLUMNS, LitSample, Sight};
 use super::scene::{Facet, Rgb};
 
 /// A projected facet; lengths in samples, y downwards.
 #[derive(Debug, Clone)]
-pub(super) struct Triangle {
+pub(super) struct ProjectedFacet {
     corners: [Vec2; 3],
     /// Nearness at the first corner, and its gradient.
     key: f32,
@@ -18,7 +18,7 @@ pub(super) struct Triangle {
     pub(super) lit: bool,
 }
 
-impl Triangle {
+impl ProjectedFacet {
     /// The facet as the projector shows it; `None` where it is seen edge on or behind the camera.
     pub(super) fn new(facet: &Facet, projector: &Projector) -> Option<Self> {
         let [a, b, c] = facet.corners;
@@ -99,7 +99,7 @@ impl Triangle {
     }
 
     /// What light needs to know of a sample on the triangle.
-    pub(super) fn surface(&self, at: Vec2) -> Sample {
-        Sample { normal: self.normal, key: self.key_at(at), rim: 1.0 }
+    pub(super) fn surface(&self, at: Vec2) -> LitSample {
+        LitSample { normal: self.normal, key: self.key_at(at), rim: 1.0 }
     }
 }

@@ -55,7 +55,7 @@ where
         .with_max_len(1)
         .map(|(index, planes)| {
             let mut pending = masks.take();
-            let mut band = Band { mesh, ranks: &ranks, planes, base: (index * width) as u32 };
+            let mut band = PlaneBand { mesh, ranks: &ranks, planes, base: (index * width) as u32 };
             let faces = lists.iter().flat_map(|list| list[index].iter().copied());
             let loops = band.loops(faces, &mut pending);
             masks.put_back(pending);
@@ -112,7 +112,7 @@ fn span(corners: &[u32; 3], ranks: &[u32]) -> (u32, u32) {
 }
 
 /// Neighbouring planes that are cut by one task.
-struct Band<'a> {
+struct PlaneBand<'a> {
     mesh: &'a Mesh,
     ranks: &'a [u32],
     planes: &'a [Plane],
@@ -135,7 +135,7 @@ impl Crossing {
     }
 }
 
-impl Band<'_> {
+impl PlaneBand<'_> {
     /// The loops of each plane. `pending` is all zero before and after.
     fn loops(
         &mut self,

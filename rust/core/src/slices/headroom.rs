@@ -54,14 +54,14 @@ mod tests {
     use glam::dvec2;
 
     use super::*;
-    use crate::head::{Part, Shape};
+    use crate::head::{HeadPart, Shape};
 
     #[test]
     fn a_duct_lowers_the_slabs_that_it_comes_over_and_no_others() {
         let head = Head::new(0.5, 32.0, 6.0, 20.0, 30.0, 60.0).unwrap();
         let duct =
             Shape::Box { x_mm: [15.0, 30.0], y_mm: [-9.0, 9.0], bottom_mm: 3.0, turn_deg: 0.0 };
-        let head = head.with_parts(vec![Part::try_from(duct).unwrap()]);
+        let head = head.with_parts(vec![HeadPart::try_from(duct).unwrap()]);
         let square = |half: f64| [DVec2::splat(-half), DVec2::splat(half)];
         // A foot, a waist, a wide head, a narrow tip.
         let extents = [square(10.0), square(5.0), square(12.0), square(6.0)];

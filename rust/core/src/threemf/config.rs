@@ -69,11 +69,11 @@ pub struct Config {
 }
 
 /// Reads such a part piece by piece.
-pub struct ConfigReader(Reader<Filling>);
+pub struct ConfigReader(Reader<ConfigDraft>);
 
 impl Default for ConfigReader {
     fn default() -> Self {
-        Self(Reader::new(Filling::default()))
+        Self(Reader::new(ConfigDraft::default()))
     }
 }
 
@@ -107,13 +107,13 @@ enum Of {
 
 /// A configuration that is being filled.
 #[derive(Default)]
-struct Filling {
+struct ConfigDraft {
     config: Config,
     open: Vec<Option<Of>>,
     things: usize,
 }
 
-impl Handler for Filling {
+impl Handler for ConfigDraft {
     fn start(&mut self, element: &Element<'_>) -> Read<()> {
         let outer = self.open.last().copied().flatten();
         let of = match (element.name, outer) {
@@ -163,7 +163,7 @@ impl Handler for Filling {
     }
 }
 
-impl Filling {
+impl ConfigDraft {
     fn volume(&mut self, whereof: Whereof, kind: String) {
         if let Some(object) = self.config.objects.last_mut() {
             object.volumes.push(Volume { whereof, kind, name: String::new() });

@@ -29,11 +29,11 @@ const MOST_SETS: usize = 1 << 12;
 const MOST_PLACED: usize = 1 << 16;
 
 /// Reads a model part piece by piece.
-pub struct PartReader(Reader<Filling>);
+pub struct PartReader(Reader<PartDraft>);
 
 impl Default for PartReader {
     fn default() -> Self {
-        Self(Reader::new(Filling::default()))
+        Self(Reader::new(PartDraft::default()))
     }
 }
 
@@ -62,7 +62,7 @@ impl PartReader {
 
 /// A part that is being filled.
 #[derive(Default)]
-struct Filling {
+struct PartDraft {
     part: Part,
     is_model: bool,
     /// Namespace of the outermost element, and so of the core specification.
@@ -82,7 +82,7 @@ struct Filling {
     placed: usize,
 }
 
-impl Handler for Filling {
+impl Handler for PartDraft {
     fn start(&mut self, element: &Element<'_>) -> Read<()> {
         let outermost = self.core.is_none();
         let core = self.core.get_or_insert_with(|| element.namespace.to_string());
@@ -137,7 +137,7 @@ impl Handler for Filling {
     }
 }
 
-impl Filling {
+impl PartDraft {
     fn model(&mut self, element: &Element<'_>) -> Read<()> {
         extensions::check_required(element)?;
         let unit = element.get("unit").unwrap_or("millimeter".into());

@@ -1,6 +1,6 @@
 //! How strands are made to hold and to bond: speed, and when the air blows.
 
-use super::params::{Cooling, PathParams, Strategy};
+use super::params::{CoolingMethod, PathParams, Strategy};
 use super::tuning::{BOND, LEAST_PAUSE, LONG_ENOUGH, SOFT};
 use crate::climb::Climb;
 use crate::strand::Strand;
@@ -23,9 +23,11 @@ pub fn speed(strand: &Strand, p: &PathParams) -> f64 {
 /// times as far without. Stacked layers must bond all along.
 pub fn air(strand: &Strand, p: &PathParams) -> bool {
     match p.cooling {
-        Cooling::Valve | Cooling::HaltingValve => !lies(strand, p) && !strand.kind.is_layered(),
-        Cooling::Fan => !lies(strand, p),
-        Cooling::Still => false,
+        CoolingMethod::Valve | CoolingMethod::HaltingValve => {
+            !lies(strand, p) && !strand.kind.is_layered()
+        }
+        CoolingMethod::Fan => !lies(strand, p),
+        CoolingMethod::Still => false,
     }
 }
 
@@ -36,7 +38,7 @@ pub fn air(strand: &Strand, p: &PathParams) -> bool {
 /// joint, costs more than the cooler joint does.
 pub fn airy_share(strand: &Strand, lands: bool, p: &PathParams) -> f64 {
     let (length, bond) = (strand.from.distance(strand.to), BOND * p.strand);
-    let bonds = lands && p.cooling == Cooling::Valve && air(strand, p);
+    let bonds = lands && p.cooling == CoolingMethod::Valve && air(strand, p);
     if bonds && length > LONG_ENOUGH * bond { 1.0 - bond / length } else { 1.0 }
 }
 

@@ -11,7 +11,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 pub use build::toolpath;
-pub use params::{Advance, Cooling, PathParams, Plate, Strategy};
+pub use params::{BedShape, CoolingMethod, PathParams, PressureAdvance, Strategy};
 
 use crate::strand::{Kind, Strand};
 

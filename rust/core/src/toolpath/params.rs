@@ -8,14 +8,14 @@ use crate::climb::Climb;
 /// The bed, about its centre.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Plate {
+pub enum BedShape {
     /// A disc of this radius, mm.
     Round(f64),
     /// A rectangle that reaches this far along x and y, mm.
     Rectangle(DVec2),
 }
 
-impl Plate {
+impl BedShape {
     /// Whether a point, relative to the bed's centre, lies on it.
     #[must_use]
     pub fn holds(&self, p: DVec2) -> bool {
@@ -41,7 +41,7 @@ pub enum Strategy {
 /// How strands are cooled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Cooling {
+pub enum CoolingMethod {
     /// An air jet behind a valve that the firmware opens and closes in step with the moves.
     Valve,
     /// An air jet behind a valve that the firmware works only when the head stands still.
@@ -56,7 +56,7 @@ pub enum Cooling {
 /// For which strokes the firmware itself makes up for the pressure in the nozzle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Advance {
+pub enum PressureAdvance {
     /// For all.
     All,
     /// For those that move along x or y.
@@ -72,7 +72,7 @@ pub struct PathParams {
     #[serde(rename = "centre_mm")]
     pub centre: DVec2,
     /// The bed; rings that leave it are not printed.
-    pub plate: Plate,
+    pub plate: BedShape,
     /// Diameter of a free strand.
     #[serde(rename = "strand_mm")]
     pub strand: f64,
@@ -100,7 +100,7 @@ pub struct PathParams {
     /// What makes floating strokes hold.
     pub strategy: Strategy,
     /// How strands are cooled.
-    pub cooling: Cooling,
+    pub cooling: CoolingMethod,
     /// Pause at the end of a floating stroke under [`Strategy::Pause`].
     #[serde(rename = "pause_s")]
     pub pause: f64,
@@ -114,7 +114,7 @@ pub struct PathParams {
     pub pressure_lag: f64,
     /// For which strokes the firmware makes up for that lag.
     #[serde(rename = "pressure_advance")]
-    pub advance: Advance,
+    pub advance: PressureAdvance,
     /// Filament pulled back before a travel.
     #[serde(rename = "retract_mm")]
     pub retract: f64,

@@ -6,7 +6,7 @@
 //! itself. Where it does not, it is pulled back before a dwell and given back before the next
 //! stroke.
 
-use super::params::{Advance, PathParams};
+use super::params::{PathParams, PressureAdvance};
 use crate::strand::Strand;
 
 /// Less than this, mm of filament, is no difference: what G-code resolves.
@@ -24,7 +24,7 @@ impl Pressure {
     #[must_use]
     pub fn left_of(&self, retract: f64, p: &PathParams) -> f64 {
         // Firmware that sees to some strokes lets every retraction find them without pressure.
-        if p.advance == Advance::None { (retract - self.eased).max(0.0) } else { retract }
+        if p.advance == PressureAdvance::None { (retract - self.eased).max(0.0) } else { retract }
     }
 
     /// The nozzle is as full as a stroke that wants so much needs it.
@@ -55,9 +55,9 @@ impl Pressure {
 pub fn wanted(strand: &Strand, speed: f64, p: &PathParams) -> f64 {
     let sideways = strand.from.truncate() != strand.to.truncate();
     let by_firmware = match p.advance {
-        Advance::All => true,
-        Advance::Sideways => sideways,
-        Advance::None => false,
+        PressureAdvance::All => true,
+        PressureAdvance::Sideways => sideways,
+        PressureAdvance::None => false,
     };
     let feed = speed * p.feed_per_mm() * strand.flow;
     if by_firmware { 0.0 } else { p.pressure_lag * feed }

@@ -8,7 +8,7 @@ use wireprint_core::mesh::Mesh;
 use wireprint_core::slices::heights::HeightParams;
 use wireprint_core::strand::Kind;
 use wireprint_core::stroke::Strokes;
-use wireprint_core::toolpath::{Advance, Cooling, PathParams, Plate, Strategy};
+use wireprint_core::toolpath::{BedShape, CoolingMethod, PathParams, PressureAdvance, Strategy};
 use wireprint_core::wireframe::build::build;
 use wireprint_core::wireframe::frame::Wireframe;
 use wireprint_core::wireframe::params::{Pattern, Times, WireParams};
@@ -20,7 +20,7 @@ use wireprint_core::wireframe::regions::layered::Layered;
 pub const PATH: PathParams = PathParams {
     standing: 0.0,
     centre: DVec2::new(100.0, 80.0),
-    plate: Plate::Rectangle(DVec2::new(100.0, 80.0)),
+    plate: BedShape::Rectangle(DVec2::new(100.0, 80.0)),
     strand: 0.7,
     filament: 1.75,
     first_layer: 0.35,
@@ -30,12 +30,12 @@ pub const PATH: PathParams = PathParams {
     slow_speed: 5.0,
     travel_speed: 150.0,
     strategy: Strategy::Pause,
-    cooling: Cooling::Valve,
+    cooling: CoolingMethod::Valve,
     pause: 1.2,
     climb: None,
     overshoot: 0.5,
     pressure_lag: 0.0,
-    advance: Advance::None,
+    advance: PressureAdvance::None,
     retract: 4.0,
     layer_retract_over: 2.0,
     retract_speed: 30.0,

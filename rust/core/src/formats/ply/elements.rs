@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::super::facets::{Facets, Outlines};
 use super::super::notes::Notes;
 use super::super::text::{Read, coordinate};
-use super::header::{Element, Header, Property};
+use super::header::{ElementKind, Header, Property};
 use super::values::Values;
 use crate::{CoreError, Result};
 
@@ -52,7 +52,12 @@ impl Model {
     }
 
     /// Takes in all elements of a kind, keeping their number.
-    fn all(&mut self, element: &Element, values: &mut impl Values, number: &mut u64) -> Read<()> {
+    fn all(
+        &mut self,
+        element: &ElementKind,
+        values: &mut impl Values,
+        number: &mut u64,
+    ) -> Read<()> {
         if element.count == 0 || element.properties.is_empty() {
             return Ok(());
         }
@@ -75,7 +80,7 @@ impl Model {
 
     fn vertex(
         &mut self,
-        element: &Element,
+        element: &ElementKind,
         values: &mut impl Values,
         axes: [usize; 3],
     ) -> Read<()> {
@@ -93,7 +98,7 @@ impl Model {
     /// Takes in the list of an element, and passes over its other properties.
     fn listed<V: Values>(
         &mut self,
-        element: &Element,
+        element: &ElementKind,
         values: &mut V,
         list: usize,
         take: impl Fn(&mut Self, &Property, &mut V) -> Read<()>,
@@ -151,7 +156,7 @@ enum Role {
 }
 
 impl Role {
-    fn of(element: &Element) -> Read<Self> {
+    fn of(element: &ElementKind) -> Read<Self> {
         let find = |names: &[&[u8]], list: bool| {
             let wanted = |p: &Property| p.length.is_some() == list && names.contains(&&*p.name);
             let found = element.properties.iter().position(wanted);

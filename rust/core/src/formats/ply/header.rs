@@ -16,7 +16,7 @@ pub enum Encoding {
 
 /// The type of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ScalarType {
     I8,
     U8,
     I16,
@@ -27,7 +27,7 @@ pub enum Kind {
     F64,
 }
 
-impl Kind {
+impl ScalarType {
     fn of(word: &[u8]) -> Read<Self> {
         Ok(match word {
             b"char" | b"int8" => Self::I8,
@@ -59,14 +59,14 @@ pub struct Property {
     /// Its name.
     pub name: Vec<u8>,
     /// Type of a list's length; none where it is no list.
-    pub length: Option<Kind>,
+    pub length: Option<ScalarType>,
     /// Type of the value, or of a list's values.
-    pub value: Kind,
+    pub value: ScalarType,
 }
 
 /// A kind of element.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Element {
+pub struct ElementKind {
     /// Its name.
     pub name: Vec<u8>,
     /// How many there are.
@@ -81,7 +81,7 @@ pub struct Header {
     /// How values are written.
     pub encoding: Encoding,
     /// In the order in which they are written.
-    pub elements: Vec<Element>,
+    pub elements: Vec<ElementKind>,
     /// Bytes of the header, and lines.
     pub length: usize,
     pub lines: u64,
@@ -105,7 +105,7 @@ impl Header {
         Ok(Self { encoding, elements, length, lines: lines.number })
     }
 
-    fn lines(lines: &mut Lines<'_>) -> Read<(Encoding, Vec<Element>)> {
+    fn lines(lines: &mut Lines<'_>) -> Read<(Encoding, Vec<ElementKind>)> {
         let first = lines.next().unwrap_or_default();
         if first.trim_ascii_end() != b"ply" {
             return Err(format!("expected ply, found {}", shown(first)));
@@ -117,7 +117,7 @@ impl Header {
             match next().unwrap_or_default() {
                 b"" | b"comment" | b"obj_info" => {}
                 b"format" => encoding = Some(encoding_of(next()?)?),
-                b"element" => elements.push(Element {
+                b"element" => elements.push(ElementKind {
                     name: next()?.to_vec(),
                     count: number(next()?)?,
                     properties: Vec::new(),
@@ -126,10 +126,10 @@ impl Header {
                     let mut kind = next()?;
                     let mut length = None;
                     if kind == b"list" {
-                        length = Some(Kind::of(next()?)?);
+                        length = Some(ScalarType::of(next()?)?);
                         kind = next()?;
                     }
-                    let value = Kind::of(kind)?;
+                    let value = ScalarType::of(kind)?;
                     let property = Property { name: next()?.to_vec(), length, value };
                     let element = elements.last_mut().ok_or("a property of no element")?;
                     element.properties.push(property);

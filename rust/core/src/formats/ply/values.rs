@@ -2,7 +2,7 @@
 
 use super::super::records::Records;
 use super::super::text::{Lines, Read, number};
-use super::header::{Element, Header, Kind};
+use super::header::{ElementKind, Header, ScalarType};
 
 /// Values of elements, one element after another.
 pub trait Values {
@@ -16,13 +16,13 @@ pub trait Values {
     ///
     /// # Errors
     /// There is none, or it is no such value.
-    fn next(&mut self, kind: Kind) -> Read<f64>;
+    fn next(&mut self, kind: ScalarType) -> Read<f64>;
 
     /// Passes over values.
     ///
     /// # Errors
     /// There are fewer.
-    fn skip(&mut self, kind: Kind, count: u64) -> Read<()>;
+    fn skip(&mut self, kind: ScalarType, count: u64) -> Read<()>;
 
     /// Ends an element.
     ///
@@ -50,7 +50,7 @@ impl<'a> Text<'a> {
     /// What follows a header.
     pub fn new(body: &'a [u8], header: &Header) -> Self {
         let mut records = Records::new(Lines::new(body), false);
-        let written = |element: &&Element| !element.properties.is_empty();
+        let written = |element: &&ElementKind| !element.properties.is_empty();
         let counts = header.elements.iter().filter(written).map(|element| element.count);
         records.expect(counts.fold(0, u64::saturating_add));
         Self { records, header_lines: header.lines }
@@ -62,11 +62,11 @@ impl Values for Text<'_> {
         self.records.begin()
     }
 
-    fn next(&mut self, _: Kind) -> Read<f64> {
+    fn next(&mut self, _: ScalarType) -> Read<f64> {
         number(self.records.word()?)
     }
 
-    fn skip(&mut self, _: Kind, count: u64) -> Read<()> {
+    fn skip(&mut self, _: ScalarType, count: u64) -> Read<()> {
         (0..count).try_for_each(|_| self.records.word().map(|_| ()))
     }
 
@@ -119,20 +119,20 @@ impl Values for Binary<'_> {
         Ok(())
     }
 
-    fn next(&mut self, kind: Kind) -> Read<f64> {
+    fn next(&mut self, kind: ScalarType) -> Read<f64> {
         Ok(match kind {
-            Kind::I8 => i8::from_le_bytes(self.take()?).into(),
-            Kind::U8 => u8::from_le_bytes(self.take()?).into(),
-            Kind::I16 => i16::from_le_bytes(self.take()?).into(),
-            Kind::U16 => u16::from_le_bytes(self.take()?).into(),
-            Kind::I32 => i32::from_le_bytes(self.take()?).into(),
-            Kind::U32 => u32::from_le_bytes(self.take()?).into(),
-            Kind::F32 => f32::from_le_bytes(self.take()?).into(),
-            Kind::F64 => f64::from_le_bytes(self.take()?),
+            ScalarType::I8 => i8::from_le_bytes(self.take()?).into(),
+            ScalarType::U8 => u8::from_le_bytes(self.take()?).into(),
+            ScalarType::I16 => i16::from_le_bytes(self.take()?).into(),
+            ScalarType::U16 => u16::from_le_bytes(self.take()?).into(),
+            ScalarType::I32 => i32::from_le_bytes(self.take()?).into(),
+            ScalarType::U32 => u32::from_le_bytes(self.take()?).into(),
+            ScalarType::F32 => f32::from_le_bytes(self.take()?).into(),
+            ScalarType::F64 => f64::from_le_bytes(self.take()?),
         })
     }
 
-    fn skip(&mut self, kind: Kind, count: u64) -> Read<()> {
+    fn skip(&mut self, kind: ScalarType, count: u64) -> Read<()> {
         let left = (self.bytes.len() - self.at) as u64;
         let wanted = count.saturating_mul(kind.size() as u64);
         if wanted > left {

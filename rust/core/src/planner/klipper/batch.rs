@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::gcode::event::Step;
 use crate::planner::limits::Limits;
-use crate::planner::queue::{BATCH, Tag};
+use crate::planner::queue::{BATCH, MoveTag};
 use crate::planner::trapezoid::{greater, lesser};
 
 /// Square of the displacement below which a move is one of the filament alone, mm².
@@ -19,11 +19,11 @@ const FILAMENT_ACCEL: f64 = 1e8;
 /// Room for a batch behind the move before it.
 const ROOM: usize = BATCH + 1;
 
-type Column = [f64; ROOM];
+type MoveColumn = [f64; ROOM];
 
 /// What a batch is planned under.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rules<'a> {
+pub(super) struct BatchRules<'a> {
     /// As configured: what concerns z and the extruder.
     pub(super) configured: &'a Limits,
     /// As commands left them.
@@ -50,28 +50,28 @@ impl Local {
 pub(super) struct Batch {
     /// Moves gathered.
     count: usize,
-    tags: [Tag; ROOM],
+    tags: [MoveTag; ROOM],
     // As written.
-    x: Column,
-    y: Column,
-    z: Column,
-    squared_d: Column,
-    filament: Column,
-    speed_v: Column,
-    local_v: Column,
-    local_accel: Column,
+    x: MoveColumn,
+    y: MoveColumn,
+    z: MoveColumn,
+    squared_d: MoveColumn,
+    filament: MoveColumn,
+    speed_v: MoveColumn,
+    local_v: MoveColumn,
+    local_accel: MoveColumn,
     // Found: x, y and z become the unit direction, zero where the head stands.
-    length_d: Column,
+    length_d: MoveColumn,
     /// Filament per mm of path.
-    feed_ratio: Column,
-    accel: Column,
-    top_v2: Column,
-    delta_v2: Column,
-    smoothed_delta_v2: Column,
+    feed_ratio: MoveColumn,
+    accel: MoveColumn,
+    top_v2: MoveColumn,
+    delta_v2: MoveColumn,
+    smoothed_delta_v2: MoveColumn,
     /// Acceleration times junction deviation; zero where the head stands, which makes its junctions
     /// standstills.
-    rounding: Column,
-    junction_v2: Column,
+    rounding: MoveColumn,
+    junction_v2: MoveColumn,
 }
 
 /// One move with its limits.
@@ -87,7 +87,7 @@ pub(super) struct Limited {
     pub(super) smoothed_delta_v2: f64,
     /// Greatest speed that the corner at its start allows.
     pub(super) junction_v2: f64,
-    pub(super) tag: Tag,
+    pub(super) tag: MoveTag,
 }
 
 impl Batch {
@@ -95,7 +95,7 @@ impl Batch {
         let zeros = [0.0; ROOM];
         Self {
             count: 0,
-            tags: [Tag::default(); ROOM],
+            tags: [MoveTag::default(); ROOM],
             x: zeros,
             y: zeros,
             z: zeros,
@@ -117,7 +117,7 @@ impl Batch {
 
     /// Adds a move; whether the batch is full then. One that is no move at all is left out.
     #[inline]
-    pub(super) fn push(&mut self, step: &Step, local: Local, tag: Tag) -> bool {
+    pub(super) fn push(&mut self, step: &Step, local: Local, tag: MoveTag) -> bool {
         let displacement: DVec3 = step.to - step.from;
         let squared_d = displacement.length_squared();
         if squared_d < STANDING_D2 && step.filament == 0.0 {
@@ -157,7 +157,7 @@ impl Batch {
     }
 
     /// The moves with their limits.
-    pub(super) fn planned(&mut self, rules: Rules<'_>) -> impl Iterator<Item = Limited> {
+    pub(super) fn planned(&mut self, rules: BatchRules<'_>) -> impl Iterator<Item = Limited> {
         self.limit(rules);
         self.join(rules.current.instantaneous_corner_velocity);
         self.rows().map(|row| Limited {
@@ -177,8 +177,8 @@ impl Batch {
     }
 
     /// Length, direction, speed and acceleration of each move.
-    fn limit(&mut self, rules: Rules<'_>) {
-        let Rules { configured, current, junction_deviation } = rules;
+    fn limit(&mut self, rules: BatchRules<'_>) {
+        let BatchRules { configured, current, junction_deviation } = rules;
         let smoothed_accel = current.max_accel * (1.0 - current.minimum_cruise_ratio);
         for row in self.rows() {
             let standing = self.squared_d[row] < STANDING_D2;
@@ -231,7 +231,7 @@ impl Batch {
             let fed_v2 = lesser(most_v2 / (feed_change * feed_change), top_v2);
             let direction = DVec3::new(self.x[row], self.y[row], self.z[row]);
             let before = DVec3::new(self.x[last], self.y[last], self.z[last]);
-            let corner = Corner {
+            let corner = StrokeCorner {
                 cosine: -direction.dot(before),
                 rounding: lesser(self.rounding[row], self.rounding[last]),
                 delta_v2: lesser(self.delta_v2[row], self.delta_v2[last]),
@@ -243,7 +243,7 @@ impl Batch {
 
 /// Where two strokes meet.
 #[derive(Debug, Clone, Copy)]
-struct Corner {
+struct StrokeCorner {
     /// Of the angle between them.
     cosine: f64,
     /// The lesser acceleration times junction deviation.
@@ -252,7 +252,7 @@ struct Corner {
     delta_v2: f64,
 }
 
-impl Corner {
+impl StrokeCorner {
     /// The squared speed through the corner.
     #[inline]
     fn limit(self, speed_v2: f64) -> f64 {

@@ -9,9 +9,9 @@ use std::f64::consts::SQRT_2;
 
 use glam::DVec3;
 
-use self::batch::{Batch, Limited, Local, Rules};
+use self::batch::{Batch, BatchRules, Limited, Local};
 use super::limits::{Kinematics, Limits, set_positive};
-use super::queue::{BATCH, MOST, Sink, Tag};
+use super::queue::{BATCH, MOST, MoveTag, Sink};
 use super::trapezoid::{duration, lesser};
 use crate::gcode::command::Command;
 use crate::gcode::event::Step;
@@ -21,7 +21,7 @@ const TAPERS: [(f64, f64); 2] = [(3.0, 0.5), (6.0, 0.25)];
 
 /// One queued move.
 #[derive(Debug, Clone, Copy)]
-struct Move {
+struct QueuedMove {
     limited: Limited,
     /// Greatest speed at its start that the corner and what comes before it allow.
     start_v2: f64,
@@ -29,7 +29,7 @@ struct Move {
     smoothed_start_v2: f64,
 }
 
-impl Move {
+impl QueuedMove {
     /// Greatest squared speeds at its end that its start allows, plain and smoothed.
     #[inline]
     fn reach(&self) -> (f64, f64) {
@@ -59,7 +59,7 @@ impl Backward {
     /// The state before two settled moves in a row, of which the first can slow down: nothing that
     /// comes after them changes it.
     #[inline]
-    fn before_settled(first: &Move, second: &Move) -> Option<Self> {
+    fn before_settled(first: &QueuedMove, second: &QueuedMove) -> Option<Self> {
         let full_v2 = first.smoothed_start_v2 + first.limited.smoothed_delta_v2;
         if !(first.is_settled() && second.is_settled() && full_v2 > second.smoothed_start_v2) {
             return None;
@@ -76,7 +76,7 @@ impl Backward {
     /// Steps over one move towards the front; returns the speed at its start and its cruising
     /// speed, infinite where it only continues what the move before it does.
     #[inline]
-    fn step(&mut self, item: &Move) -> (f64, f64) {
+    fn step(&mut self, item: &QueuedMove) -> (f64, f64) {
         let reachable_v2 = self.next_v2 + item.limited.delta_v2;
         let start_v2 = lesser(item.start_v2, reachable_v2);
         let smoothed_reachable_v2 = self.next_smoothed_v2 + item.limited.smoothed_delta_v2;
@@ -113,7 +113,7 @@ pub(super) struct Klipper {
     tapers: Vec<(f64, Local)>,
     /// Moves whose limits are not yet known.
     batch: Box<Batch>,
-    queue: Vec<Move>,
+    queue: Vec<QueuedMove>,
     /// Start and cruising speed of each move, the last first.
     plans: Vec<(f64, f64)>,
     /// Cruising speed of the last move that has left the queue.
@@ -148,7 +148,7 @@ impl Klipper {
 
     /// Queues a step; moves whose speeds are certain go to `sink`.
     #[inline]
-    pub(super) fn push(&mut self, step: &Step, tag: Tag, sink: &mut impl Sink) {
+    pub(super) fn push(&mut self, step: &Step, tag: MoveTag, sink: &mut impl Sink) {
         if self.batch.push(step, self.local(step), tag) {
             self.absorb(false, sink);
         }
@@ -202,16 +202,16 @@ impl Klipper {
     /// Moves the batch, under the limits that hold now, into the queue, and what has become certain
     /// to `sink`; `stops` tells whether the head stops after it.
     fn absorb(&mut self, stops: bool, sink: &mut impl Sink) {
-        let rules = Rules {
+        let rules = BatchRules {
             configured: &self.configured,
             current: &self.current,
             junction_deviation: self.junction_deviation,
         };
-        let mut reach = self.queue.last().map_or((0.0, 0.0), Move::reach);
+        let mut reach = self.queue.last().map_or((0.0, 0.0), QueuedMove::reach);
         self.queue.extend(self.batch.planned(rules).map(|limited| {
             let start_v2 = lesser(limited.junction_v2, reach.0);
             let smoothed_start_v2 = lesser(start_v2, reach.1);
-            let item = Move { limited, start_v2, smoothed_start_v2 };
+            let item = QueuedMove { limited, start_v2, smoothed_start_v2 };
             reach = item.reach();
             item
         }));

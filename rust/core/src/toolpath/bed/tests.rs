@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::*;
 use crate::geometry::polyline::segment_distance;
 use crate::printer::PATH;
-use crate::toolpath::Plate;
+use crate::toolpath::BedShape;
 
 /// Strands through points, in one stroke each.
 fn strokes(lines: &[&[(f64, f64)]], kind: Kind) -> Vec<Strand> {
@@ -88,7 +88,7 @@ fn a_skirt_lies_around_all_from_outside_in() {
 #[test]
 fn rings_that_the_bed_does_not_hold_are_left_out() {
     let plate = |reach: f64| PathParams {
-        plate: Plate::Rectangle(DVec2::splat(reach)),
+        plate: BedShape::Rectangle(DVec2::splat(reach)),
         skirt_rings: 2,
         skirt_gap: 2.0,
         ..PATH

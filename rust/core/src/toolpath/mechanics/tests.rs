@@ -15,33 +15,33 @@ fn strand(kind: Kind, length: f64, z: f64) -> Strand {
 #[test]
 fn air_blows_wherever_strands_hang() {
     let kinds = [(Kind::Cap, 6.0), (Kind::Contour, 0.35), (Kind::LayerWise, 6.0)];
-    let blows = |cooling: Cooling| {
+    let blows = |cooling: CoolingMethod| {
         let p = PathParams { cooling, ..PATH };
         kinds.map(|(kind, z)| air(&strand(kind, 9.0, z), &p))
     };
-    assert_eq!(blows(Cooling::Valve), [true, false, false]);
-    assert_eq!(blows(Cooling::HaltingValve), [true, false, false]);
-    assert_eq!(blows(Cooling::Fan), [true, false, true]);
-    assert_eq!(blows(Cooling::Still), [false; 3]);
+    assert_eq!(blows(CoolingMethod::Valve), [true, false, false]);
+    assert_eq!(blows(CoolingMethod::HaltingValve), [true, false, false]);
+    assert_eq!(blows(CoolingMethod::Fan), [true, false, true]);
+    assert_eq!(blows(CoolingMethod::Still), [false; 3]);
 }
 
 #[test]
 fn the_air_stops_before_a_joint_only_under_a_quick_valve_and_on_long_strands_that_land() {
     // Two diameters of 0.7 mm, of which a strand must be three times as long.
-    let share = |kind: Kind, length: f64, z: f64, lands: bool, cooling: Cooling| {
+    let share = |kind: Kind, length: f64, z: f64, lands: bool, cooling: CoolingMethod| {
         airy_share(&strand(kind, length, z), lands, &PathParams { cooling, ..PATH })
     };
     let bond = 1.4;
-    assert_eq!(share(Kind::Cap, 7.0, 6.0, true, Cooling::Valve), 1.0 - bond / 7.0);
-    assert_eq!(share(Kind::Cap, 4.21, 6.0, true, Cooling::Valve), 1.0 - bond / 4.21);
-    assert_eq!(share(Kind::Cap, 4.19, 6.0, true, Cooling::Valve), 1.0);
-    assert_eq!(share(Kind::Cap, 7.0, 6.0, false, Cooling::Valve), 1.0);
-    for cooling in [Cooling::HaltingValve, Cooling::Fan, Cooling::Still] {
+    assert_eq!(share(Kind::Cap, 7.0, 6.0, true, CoolingMethod::Valve), 1.0 - bond / 7.0);
+    assert_eq!(share(Kind::Cap, 4.21, 6.0, true, CoolingMethod::Valve), 1.0 - bond / 4.21);
+    assert_eq!(share(Kind::Cap, 4.19, 6.0, true, CoolingMethod::Valve), 1.0);
+    assert_eq!(share(Kind::Cap, 7.0, 6.0, false, CoolingMethod::Valve), 1.0);
+    for cooling in [CoolingMethod::HaltingValve, CoolingMethod::Fan, CoolingMethod::Still] {
         assert_eq!(share(Kind::Cap, 7.0, 6.0, true, cooling), 1.0);
     }
     // Where none blows, none stops.
-    assert_eq!(share(Kind::Contour, 7.0, 0.35, true, Cooling::Valve), 1.0);
-    assert_eq!(share(Kind::LayerWise, 7.0, 6.0, true, Cooling::Valve), 1.0);
+    assert_eq!(share(Kind::Contour, 7.0, 0.35, true, CoolingMethod::Valve), 1.0);
+    assert_eq!(share(Kind::LayerWise, 7.0, 6.0, true, CoolingMethod::Valve), 1.0);
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::params::WireParams;
 use crate::wireframe::plan::raise::{Foot, Planned, raise};
-use crate::wireframe::plan::section::Section;
+use crate::wireframe::plan::section::SliceSection;
 use crate::wireframe::plan::sliced::{Column, Sliced};
 use crate::wireframe::plan::standing_room::StandingRoom;
 
@@ -79,7 +79,7 @@ struct Site<'a> {
 }
 
 /// The way down from where a column is wanted.
-struct Fall {
+struct WayDown {
     foot: Foot,
     /// How far the column's middle keeps from walls on the way, mm.
     room: f64,
@@ -90,7 +90,7 @@ struct SliceOutline<'a> {
     level: usize,
     /// Its number among the level's steps; none for the slice that ends the slab below.
     step: Option<usize>,
-    outline: Section<'a>,
+    outline: SliceSection<'a>,
 }
 
 impl<'a> Site<'a> {
@@ -98,7 +98,7 @@ impl<'a> Site<'a> {
         let mut slices = Vec::new();
         for level in 0..sliced.levels.len() {
             let mut add = |step, contours| {
-                let outline = Section::new(contours);
+                let outline = SliceSection::new(contours);
                 slices.push(SliceOutline { level, step, outline });
             };
             if level > 0 {
@@ -171,7 +171,7 @@ impl<'a> Site<'a> {
         &self,
         need: &Need,
         found: &[Planned],
-        way: impl Fn(DVec2) -> Option<Fall>,
+        way: impl Fn(DVec2) -> Option<WayDown>,
     ) -> Option<Planned> {
         let turn = std::f64::consts::TAU / AROUND as f64;
         let ring = |k: usize| {
@@ -182,7 +182,7 @@ impl<'a> Site<'a> {
         let mut best: Option<(f64, Planned)> = None;
         for place in (0..=RINGS).flat_map(ring) {
             let place = self.room.draw_in(place);
-            let Some(Fall { foot, room }) = way(place) else { continue };
+            let Some(WayDown { foot, room }) = way(place) else { continue };
             let first = match foot {
                 Foot::Bed | Foot::Column { .. } => 0,
                 Foot::Face { level, .. } => level,
@@ -204,7 +204,7 @@ impl<'a> Site<'a> {
 
     /// The way down from a place at a level to the bed, or to the first surface that is crossed. None
     /// where there is none, and within the model for what can do without.
-    fn fall(&self, place: DVec2, need: &Need) -> Option<Fall> {
+    fn fall(&self, place: DVec2, need: &Need) -> Option<WayDown> {
         let top = self.slices.iter().rposition(|slice| slice.level < need.level)?;
         let inside = self.slices[top].outline.holds(place);
         if inside && !need.urgent {
@@ -222,17 +222,17 @@ impl<'a> Site<'a> {
                     }
                     _ => Foot::Slope { level: above.level },
                 };
-                return Some(Fall { foot, room });
+                return Some(WayDown { foot, room });
             }
             room = room.min(slice.outline.distance(place));
         }
-        Some(Fall { foot: Foot::Bed, room })
+        Some(WayDown { foot: Foot::Bed, room })
     }
 
     /// The way down from a place at a level as far as there is room, where a wall stands near enough
     /// to hang the column's foot on. A surface that leans comes nearer slab by slab, so that what
     /// falls on it has no room in its last ones.
-    fn hung(&self, place: DVec2, need: &Need) -> Option<Fall> {
+    fn hung(&self, place: DVec2, need: &Need) -> Option<WayDown> {
         let top = self.slices.iter().rposition(|slice| slice.level < need.level)?;
         let inside = self.slices[top].outline.holds(place);
         let mut room = f64::INFINITY;
@@ -249,7 +249,7 @@ impl<'a> Site<'a> {
         }
         let (level, distance, room) = begin?;
         let foot = Foot::Slope { level };
-        (level > 0 && distance <= self.hold).then_some(Fall { foot, room })
+        (level > 0 && distance <= self.hold).then_some(WayDown { foot, room })
     }
 
     /// Whether nothing lies in a column's way from one level up to another.

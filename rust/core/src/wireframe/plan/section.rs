@@ -7,12 +7,12 @@ use crate::geometry::polygon;
 use crate::geometry::segments::Segments;
 
 /// The contours of a slice without those of columns.
-pub struct Section<'a> {
+pub struct SliceSection<'a> {
     contours: Vec<&'a Contour>,
     segments: Segments,
 }
 
-impl<'a> Section<'a> {
+impl<'a> SliceSection<'a> {
     /// Lists the contours.
     #[must_use]
     pub fn new(contours: &'a [Contour]) -> Self {

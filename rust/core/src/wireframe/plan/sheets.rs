@@ -7,7 +7,7 @@ use crate::geometry::curve::Curve;
 use crate::geometry::polygon;
 use crate::mesh::{Mesh, shells};
 use crate::slices::heights::Level;
-use crate::wireframe::plan::section::Section;
+use crate::wireframe::plan::section::SliceSection;
 
 /// What sticks out over less than this many strands of a contour's length is not worth a sheet.
 const LEAST: f64 = 4.0;
@@ -24,7 +24,7 @@ pub fn is_lost_between(
     above: &[Contour],
     strand: f64,
 ) -> bool {
-    let [below, above] = [below, above].map(Section::new);
+    let [below, above] = [below, above].map(SliceSection::new);
     let strays = |p: DVec2| below.distance(p) > strand && above.distance(p) > strand;
     let is_lost = |p: DVec2| strays(p) && below.holds(p) == above.holds(p);
     let curves = contours.iter().filter_map(|c| Curve::new(&c.points, c.closed));
@@ -50,7 +50,7 @@ pub fn is_lost_beside(
     above: &[Contour],
     strand: f64,
 ) -> bool {
-    let [own, lower, upper] = [contours, below, above].map(Section::new);
+    let [own, lower, upper] = [contours, below, above].map(SliceSection::new);
     let is_lost = |p: DVec2| own.holds(p) != lower.holds(p) && own.holds(p) != upper.holds(p);
     let mut lost = 0.0;
     for curve in below.iter().chain(above).filter_map(|c| Curve::new(&c.points, c.closed)) {
@@ -70,14 +70,14 @@ pub fn is_lost_beside(
 }
 
 /// How high the bodies of a mesh reach.
-pub struct Bodies {
+pub struct BodyReaches {
     /// The body of each face.
     of: Vec<u32>,
     /// Lowest and highest point of each, mm.
     extents: Vec<(f64, f64)>,
 }
 
-impl Bodies {
+impl BodyReaches {
     /// Finds the bodies; none where no level holds a slice that could be theirs alone.
     #[must_use]
     pub fn new(mesh: &Mesh, levels: &[Level]) -> Self {

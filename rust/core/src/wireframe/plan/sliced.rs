@@ -14,7 +14,7 @@ use crate::slices::heights::{HeightParams, Level, choose_levels};
 use crate::slices::{Plane, Side};
 use crate::stroke::Strokes;
 use crate::wireframe::plan::ledges::ledges_of;
-use crate::wireframe::plan::sheets::{Bodies, is_lost_beside, is_lost_between};
+use crate::wireframe::plan::sheets::{BodyReaches, is_lost_beside, is_lost_between};
 use crate::wireframe::plan::strips::{Slab, Strip, strips};
 
 /// A model cut into slabs.
@@ -108,7 +108,7 @@ pub fn slice_model(mesh: &Mesh, head: &Head, params: &HeightParams) -> Result<Sl
             upper: &lower[k],
         })
         .collect();
-    let bodies = Bodies::new(mesh, &levels);
+    let bodies = BodyReaches::new(mesh, &levels);
     let stacks = stacks(&levels, [&lower, &upper], &between, &bodies, params.strand);
     let ranges: Vec<Slab> = stacks.iter().flatten().flat_map(|s| s.slabs()).collect();
     let (strips, found) = rayon::join(|| strips(mesh, &slabs), || ledges_of(mesh, &ranges));
@@ -154,7 +154,7 @@ fn stacks<'a>(
     levels: &[Level],
     [lower, upper]: [&'a [Vec<Contour>]; 2],
     between: &'a [Vec<Contour>],
-    bodies: &Bodies,
+    bodies: &BodyReaches,
     strand: f64,
 ) -> Vec<Option<Stack<'a>>> {
     let mut between = between.iter();

@@ -102,7 +102,7 @@ fn parts(line: &Line) -> impl Iterator<Item = [DVec3; 2]> + '_ {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::head::{Part, Shape};
+    use crate::head::{HeadPart, Shape};
     use crate::solids::Random;
 
     #[test]
@@ -130,7 +130,7 @@ mod tests {
         let fan =
             Shape::Box { x_mm: [18.0, 30.0], y_mm: [-6.0, 6.0], bottom_mm: 2.0, turn_deg: 20.0 };
         let probe = Shape::Cylinder { centre_mm: [-25.0, 4.0], radius_mm: 3.0, bottom_mm: 1.0 };
-        let parts = [fan, probe].map(|shape| Part::try_from(shape).unwrap()).to_vec();
+        let parts = [fan, probe].map(|shape| HeadPart::try_from(shape).unwrap()).to_vec();
         let head = round.clone().with_parts(parts);
         for _ in 0..1500 {
             let mut at = |height: f64| {

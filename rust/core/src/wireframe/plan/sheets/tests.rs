@@ -74,8 +74,9 @@ fn a_body_within_two_heights_is_told_from_those_that_reach_beyond() {
     let plate =
         |low: f64, high: f64| cuboid(DVec3::new(-9.0, -9.0, low), DVec3::new(9.0, 9.0, high));
     let mesh = together(&[plate(0.0, 10.0), plate(4.0, 6.0)]);
-    let cut =
-        |between: Vec<f64>| Bodies::new(&mesh, &[Level { z: 5.0, low: 4.0, high: 6.0, between }]);
+    let cut = |between: Vec<f64>| {
+        BodyReaches::new(&mesh, &[Level { z: 5.0, low: 4.0, high: 6.0, between }])
+    };
     let bodies = cut(vec![5.0]);
     // A box has twelve faces.
     let contour = |half: f64, face: u32| [Contour { faces: vec![face], ..square(half) }];
