@@ -153,6 +153,46 @@ def test_supports_carry_what_is_one_body_with_what_it_leans_on(half_mm, stem_mm)
     assert found.certificate.ok, found.certificate
 
 
+def boxes(*parts):
+    """Boxes (x, y, width, depth, low, high) in layers, and as a mesh."""
+    layers, bodies = Layers(), []
+    for number in range(round(max(part[5] for part in parts) / LAYER)):
+        top = (number + 1) * LAYER
+        layers.layer(top)
+        for x, y, width, depth, low, high in parts:
+            if low + 1e-6 < top <= high + 1e-6:
+                layers.block(x, y, width, depth)
+    for x, y, width, depth, low, high in parts:
+        body = trimesh.creation.box((width, depth, high - low))
+        bodies.append(body.apply_translation((x, y, (low + high) / 2)))
+    return layers.text(), wireprint.as_mesh(trimesh.util.concatenate(bodies))
+
+
+@pytest.mark.parametrize(
+    "parts",
+    [
+        [(0, 0, 10, 10, 0, 12), (0, 0, 70, 70, 12, 13)],
+        [(0, 0, 10, 10, 0, 12), (0, 0, 90, 90, 12, 14)],
+        [(0, 0, 10, 10, 0, 12), (0, 0, 120, 120, 12, 14)],
+        [(33, -26, 12, 12, 0, 11), (28, -21, 14, 11, 0, 11), (0, 0, 76, 105, 11, 12)],
+        # A plate stands on a plate.
+        [(9, 4, 19, 9, 0, 9), (0, 0, 96, 77, 9, 11), (5, 0, 9, 9, 11, 20), (0, 0, 81, 62, 20, 21)],
+    ],
+)
+def test_supports_carry_plates_that_are_wider_than_a_span(parts):
+    layers, mesh = boxes(*parts)
+    assert wireprint.check(layers, SETTINGS).max_span_mm > SETTINGS.wire.span_limit_mm
+    found = splice(mesh, layers, SETTINGS, supports=True)
+    assert found.certificate.ok, found.certificate
+    core = found.certificate.core
+    own = core.strands[np.array(core.features)[core.strand_features] == "support"]
+    middles = own.mean(axis=1) - (*SETTINGS.printer.bed.centre_mm, 0)
+    # Nothing of them is where layers fill the model.
+    for x, y, width, depth, low, high in parts:
+        away = np.abs(middles - (x, y, (low + high) / 2)) - np.array([width, depth, high - low]) / 2
+        assert not (away < -SETTINGS.strand_mm).all(axis=1).any()
+
+
 def test_a_model_that_needs_no_supports_is_told_so():
     layers = Layers().plate(0, 0, 30, 30, 0.0, 2.0).text()
     with pytest.raises(wireprint.UnprintableError, match="needs no supports"):

@@ -10,31 +10,24 @@ print, for the other program's does not know how high it has become.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from wireprint import standing
-from wireprint._core import KINDS, UnprintableError
+from wireprint._core import UnprintableError
 from wireprint.certificate import check
 from wireprint.fitting import fitted
 from wireprint.gcode import document
 from wireprint.mending import ROUNDS
 from wireprint.splicing.handover import Layers
 from wireprint.splicing.runs import without_priming
+from wireprint.splicing.supports import barred, carrying
 from wireprint.stages import origin_mm, toolpath, wireframe
 
 if TYPE_CHECKING:
-    import numpy.typing as npt
-
     from wireprint._core import Mesh, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
     from wireprint.verdict import Point
-
-    Floats = npt.NDArray[np.float64]
-
-_SUPPORT: Final = KINDS.index("support")
 
 
 @dataclass(frozen=True, repr=False)
@@ -107,7 +100,7 @@ def splice(
     body = fitted(mesh, settings).mesh
     frame = wireframe(body, settings, None, below, at_mm, bearing=supports)
     if supports:
-        frame = _carrying(frame)
+        frame = carrying(frame, body, settings.strand_mm)
     # Who wants supports alone does not ask how much of the model is wire.
     model = None if supports else body
     left_out = 0
@@ -117,12 +110,12 @@ def splice(
             raise UnprintableError("nothing of the model can be printed as wire")
         text, heights = given.with_wire(path)
         certificate = check(text, settings, model, deviation=False, at_mm=at_mm)
-        barred = _barred(frame, certificate, origin_mm(settings, at_mm)) if supports else []
-        if not barred or len(barred) == frame.strand_count:
+        out = barred(frame, certificate, origin_mm(settings, at_mm)) if supports else []
+        if not out or len(out) == frame.strand_count:
             break
         # What it is tied to is the model's own wire, which is not printed.
-        left_out += len(barred)
-        frame = frame.beyond(barred)
+        left_out += len(out)
+        frame = frame.beyond(out)
     remarks = list(given.remarks)
     if left_out:
         remarks.append(
@@ -130,25 +123,3 @@ def splice(
         )
     time_s = document.timing(text, settings).total_s
     return Spliced(settings, body, frame, text, certificate, time_s, heights, tuple(remarks))
-
-
-def _carrying(frame: Wireframe) -> Wireframe:
-    """Return the supports of a print alone."""
-    found = frame.beyond(np.flatnonzero(frame.strand_kinds != _SUPPORT).tolist())
-    if not found.strand_count:
-        raise UnprintableError("the model needs no supports: print its layers as they are")
-    return found
-
-
-def _barred(frame: Wireframe, certificate: Certificate, origin_mm: Point) -> list[int]:
-    """Return the strands of supports that layers run into, and those that hang."""
-    core = certificate.core
-    lines = {hit.hit_line for hit in certificate.collisions}
-    lines |= {end.line for end in (*certificate.floating_starts, *certificate.dangling_ends)}
-    lines |= {hit.line for hit in certificate.collisions}
-    lines |= {span.line for span in certificate.spans_over}
-    lines |= {end.line for end in certificate.hurried}
-    named = [number for number, name in enumerate(core.features) if name == KINDS[_SUPPORT]]
-    blamed = np.isin(core.strand_lines, [line for line in lines if line is not None])
-    blamed &= np.isin(core.strand_features, named)
-    return standing.lying_along(frame, origin_mm, core.strands[blamed])

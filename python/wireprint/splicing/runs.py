@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
@@ -68,17 +69,15 @@ def _part(path: Toolpath, first: int, end: int) -> Toolpath:
 
 
 def runs_of(path: Toolpath, core: _core.Certificate, lines: Sequence[bytes]) -> Iterator[Run]:
-    """Tell after which line each slab comes; slabs that follow each other there are one run."""
+    """Tell after which line each part of a slab comes; parts that follow each other are one run.
+
+    A zigzag comes before the layers beside it hide its foot. What lies on top of it, a contour or a
+    deck, waits for the layers of its own height: some of its strands end on them.
+    """
     tops = core.strands[..., 2].max(axis=1)
-    # A strand lies below a slab if the slab can stand on it: half a step of rounding aside.
-    starts = np.flatnonzero(np.diff(path.slab.astype(np.int64), prepend=-1))
-    ends = [*starts[1:].tolist(), len(path)]
     run: Run | None = None
-    for first, end in zip(starts.tolist(), ends, strict=True):
-        strands = np.flatnonzero(_is_strand(path.kind[first:end])) + first
-        if not len(strands):
-            continue
-        level = float(min(_from(path, int(strand))[2] for strand in strands))
+    for first, end, level in _parts(path):
+        # A strand lies below a part if the part can stand on it: half a step of rounding aside.
         above = np.flatnonzero(tops > level + standing.SAME_MM)
         count = int(above[0]) if len(above) else len(tops)
         line = int(core.strand_lines[count - 1]) if count else _prepared(core, lines)
@@ -88,9 +87,28 @@ def runs_of(path: Toolpath, core: _core.Certificate, lines: Sequence[bytes]) -> 
             continue
         if run is not None:
             yield run
-        run = Run(line, (int(strands[0]), end), float(top))
+        run = Run(line, (first, end), float(top))
     if run is not None:
         yield run
+
+
+def _parts(path: Toolpath) -> Iterator[tuple[int, int, float]]:
+    """Return the parts of slabs: the first strand, the move after the last one, and the foot, mm.
+
+    The level strands that come last in a slab are a part of their own.
+    """
+    strands = np.flatnonzero(_is_strand(path.kind))
+    from_z = np.concatenate([[path.start[2]], path.to[:-1, 2]])[strands]
+    heights = np.column_stack([from_z, path.to[strands, 2]])
+    rises = np.ptp(heights, axis=1) > standing.SAME_MM
+    slabs = path.slab[strands]
+    bounds = np.flatnonzero(np.diff(slabs, prepend=slabs[:1] + 1, append=slabs[-1:] + 1))
+    for begin, end in itertools.pairwise(bounds.tolist()):
+        level = end - int(rises[begin:end][::-1].argmax()) if rises[begin:end].any() else begin
+        for first, last in ((begin, level), (level, end)):
+            if first < last:
+                foot = float(heights[first:last].min())
+                yield int(strands[first]), int(strands[last - 1]) + 1, foot
 
 
 def _from(path: Toolpath, move: int) -> Floats:

@@ -31,12 +31,13 @@ pub fn is_far(curve: &Curve, rims: &[&Rim], reach: f64) -> bool {
     places(curve, STEP * reach).any(|place| !footing.holds(place, reach))
 }
 
-/// Bridges across the place of a figure, through what is solid at its height.
+/// Bridges of a `kind` across the place of a figure, through what is solid at its height.
 pub fn carry(
     cx: &Context,
     journal: &mut Journal,
     level: usize,
     figure: &[DVec2],
+    kind: Kind,
     printed: &mut Ground,
 ) -> Carried {
     if !cx.p.supports || figure.is_empty() {
@@ -52,7 +53,7 @@ pub fn carry(
     if place.wants_columns(cx, journal, &deck) {
         return Carried { lines: Vec::new(), is_wanted: true };
     }
-    let lines = place.print(cx, journal, &deck, Kind::Cap);
+    let lines = place.print(cx, journal, &deck, kind);
     printed.lines.extend(lines.iter().cloned());
     Carried { lines, is_wanted: false }
 }

@@ -38,12 +38,15 @@ pub fn hang(
     if !inside && !cx.p.supports || carried.is_wanted {
         return None;
     }
-    let kind = if inside { Kind::Cap } else { Kind::Support };
+    let bears = |otherwise| if cx.p.bearing { Kind::Support } else { otherwise };
+    let spoke = if inside { bears(Kind::Cap) } else { Kind::Support };
     let spacing = if carried.lines.is_empty() { TIE } else { LEDGE };
     let neighbours = printed.near(flat.curve, cx.p.free_end_limit);
-    let standing = spokes(cx, journal, flat, &neighbours, kind, spacing, |_| true)?;
+    let standing =
+        spokes(cx, journal, Flat { ties: spoke, ..flat }, &neighbours, spacing, |_| true)?;
+    let flat = Flat { ties: bears(flat.ties), ..flat };
     let standing = tighten(cx, journal, flat, level, standing, printed, wide_gap(cx));
-    let kind = if contour.support || cx.p.bearing { Kind::Support } else { Kind::Contour };
+    let kind = if contour.support { Kind::Support } else { bears(Kind::Contour) };
     let rim = follow(cx, journal, flat.curve, &standing, flat.z, kind);
     Some(Rim { support: contour.support, ..rim })
 }

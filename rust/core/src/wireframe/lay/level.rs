@@ -86,6 +86,11 @@ fn is_layered(cx: &Context, step: &LevelStep, lower: &[u32]) -> bool {
     step.number == 0 && are_layers(cx, step.level, lower)
 }
 
+/// Whether layers of the model are to lie on what closes a ledge.
+fn bears(cx: &Context, ledge: &Strip) -> bool {
+    cx.p.bearing && (ledge.lower.is_empty() || ledge.plan < 0.0)
+}
+
 /// Bridges under the contours of a ledge that lie too far from everything that could hold them.
 fn carried(
     cx: &Context,
@@ -107,7 +112,8 @@ fn carried(
     };
     let far = curves.iter().filter(|(_, curve)| far(curve)).map(|(_, curve)| curve);
     let figure: Vec<DVec2> = far.flat_map(|curve| curve.points()).copied().collect();
-    carry(cx, journal, step.level, &figure, printed)
+    let kind = if bears(cx, ledge) { Kind::Support } else { Kind::Cap };
+    carry(cx, journal, step.level, &figure, kind, printed)
 }
 
 /// What may carry the contours of a ledge: the rims that it touches, and columns.
@@ -141,8 +147,8 @@ fn rise(
         return Some(press(journal, curve, contour.support, lifted, cx.p.strand));
     }
     // Layers lie on what hangs at their height, not on what lies upon what is below.
-    if ledge.lower.is_empty() || cx.p.bearing && ledge.plan < 0.0 {
-        let hanging = Hanging { contour, flat: Flat { curve, z }, level };
+    if ledge.lower.is_empty() || bears(cx, ledge) {
+        let hanging = Hanging { contour, flat: Flat { curve, z, ties: Kind::Cap }, level };
         let rim = hang(cx, journal, hanging, carried, printed);
         if rim.is_none() && !contour.support && !carried.is_wanted {
             want_columns(cx, journal, curve, level);
@@ -154,12 +160,12 @@ fn rise(
     {
         return Some(closed_rim(curve, z, cx.p.strand));
     }
-    let flat = Flat { curve, z: lifted };
+    let flat = Flat { curve, z: lifted, ties: Kind::Cap };
     let all: Vec<Rim> =
         carriers(ledge, printed).into_iter().chain(&carried.lines).cloned().collect();
     let all: Vec<&Rim> = all.iter().collect();
     let stands = own.len() == ledge.lower.len();
-    let Some(standing) = spokes(cx, journal, flat, &all, Kind::Cap, LEDGE, |_| true) else {
+    let Some(standing) = spokes(cx, journal, flat, &all, LEDGE, |_| true) else {
         // What lies on something unprinted will lie there once that is supported.
         if !carried.is_wanted && stands {
             want_columns(cx, journal, curve, level);

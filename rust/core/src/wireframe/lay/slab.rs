@@ -5,6 +5,7 @@ use glam::DVec2;
 use crate::geometry::curve::Curve;
 use crate::geometry::nearest_first::{Waiting, bounds};
 use crate::geometry::tour::tour;
+use crate::strand::Kind;
 use crate::wireframe::frame::Reason;
 use crate::wireframe::lay::bare_rims::print_crowded_rims;
 use crate::wireframe::lay::carry::{Carried, carry, is_far};
@@ -179,7 +180,15 @@ fn hang_rest(
             standing
         } else {
             let wide = tie_over(cx, journal, top, curve, is_woven);
-            tighten(cx, journal, Flat { curve, z: top.z }, top.slab + 1, standing, printed, wide)
+            tighten(
+                cx,
+                journal,
+                Flat { curve, z: top.z, ties: Kind::Cap },
+                top.slab + 1,
+                standing,
+                printed,
+                wide,
+            )
         };
         printed.rims[standing.curve] = Some(ring(cx, journal, top, &standing));
     }
@@ -187,7 +196,7 @@ fn hang_rest(
         let Some(curve) = &top.curves[job.curve] else { continue };
         let contour = &cx.sliced.lower[top.slab + 1][top.contour(job.curve)];
         let carried = carried(cx, journal, top, curve, printed);
-        let flat = Flat { curve, z: top.z };
+        let flat = Flat { curve, z: top.z, ties: Kind::Cap };
         let hanging = Hanging { contour, flat, level: top.slab + 1 };
         let rim = hang(cx, journal, hanging, &carried, printed);
         if rim.is_none() && !contour.support {
@@ -217,7 +226,7 @@ fn carried(
     if !is_far(curve, &printed.near(curve, reach), reach) {
         return Carried::default();
     }
-    carry(cx, journal, top.slab + 1, curve.points(), printed)
+    carry(cx, journal, top.slab + 1, curve.points(), Kind::Cap, printed)
 }
 
 /// Closes what begins within the slab, and asks for a roof under what leans too far.

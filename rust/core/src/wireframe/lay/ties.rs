@@ -39,6 +39,8 @@ pub struct Flat<'a> {
     pub curve: &'a Curve,
     /// Its height, mm.
     pub z: f64,
+    /// What the strands are that hold it.
+    pub ties: Kind,
 }
 
 /// A flat zigzag from printed rims out (or in) to the wanted places of a contour, these at
@@ -46,9 +48,8 @@ pub struct Flat<'a> {
 pub fn spokes(
     cx: &Context,
     journal: &mut Journal,
-    Flat { curve, z }: Flat,
+    Flat { curve, z, ties: kind }: Flat,
     carriers: &[&Rim],
-    kind: Kind,
     spacing: f64,
     wanted: impl Fn(&Post) -> bool,
 ) -> Option<Standing> {
@@ -115,7 +116,7 @@ pub fn tighten(
         })
     };
     let neighbours = printed.near(curve, cx.p.free_end_limit);
-    let ties = spokes(cx, journal, flat, &neighbours, Kind::Cap, TIE, wanted);
+    let ties = spokes(cx, journal, flat, &neighbours, TIE, wanted);
     let Standing { curve: number, start, mut posts } = standing;
     if let Some(ties) = ties {
         let shifted = |s: f64| curve.forward(start, curve.wrap(ties.start + s));

@@ -17,7 +17,11 @@ fn hung(change: impl Fn(&mut Scene, &mut Contour, &mut Carried)) -> Option<([Kin
     let printed = Ground { rims: vec![Some(rim(&square(30.0), Z))], lines: Vec::new() };
     let own = curve(&contour);
     scene.ask(|cx, journal| {
-        let hanging = Hanging { contour: &contour, flat: Flat { curve: &own, z: Z }, level: 1 };
+        let hanging = Hanging {
+            contour: &contour,
+            flat: Flat { curve: &own, z: Z, ties: Kind::Cap },
+            level: 1,
+        };
         let found = hang(cx, journal, hanging, &carried, &printed)?;
         let strands = &journal.entries().strands;
         Some(([strands[0].kind, strands[strands.len() - 1].kind], found.support))
@@ -73,7 +77,11 @@ fn bridges_hold_it_at_shorter_distances() {
         let printed = Ground { rims: vec![Some(rim(&square(30.0), Z))], lines: Vec::new() };
         let own = curve(&contour);
         scene.ask(|cx, journal| {
-            let hanging = Hanging { contour: &contour, flat: Flat { curve: &own, z: Z }, level: 1 };
+            let hanging = Hanging {
+                contour: &contour,
+                flat: Flat { curve: &own, z: Z, ties: Kind::Cap },
+                level: 1,
+            };
             hang(cx, journal, hanging, &carried, &printed);
             journal.entries().spokes.iter().map(|own| own.posts.len()).sum::<usize>()
         })

@@ -34,7 +34,7 @@ fn tied(
         beside.iter().map(|&half| Some(Rim { held: true, ..rim(&square(half), Z) })).collect();
     let printed = Ground { rims, lines: Vec::new() };
     scene.ask(|cx, journal| {
-        let flat = Flat { curve: &own, z: Z };
+        let flat = Flat { curve: &own, z: Z, ties: Kind::Cap };
         let found = tighten(cx, journal, flat, 1, standing(&own, start, places), &printed, wide);
         let entries = journal.entries();
         (found, entries.strands.clone(), entries.columns.clone())
