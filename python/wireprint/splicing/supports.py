@@ -69,7 +69,8 @@ def _within(
     # What is level lies on the slab below it.
     slabs = np.searchsorted(levels, ends[..., 2].mean(axis=1) - strand_mm / 2) - 1
     areas = sections[slabs.clip(0, len(sections) - 1)]
-    inside = shapely.contains_xy(areas[:, None], ends[..., 0], ends[..., 1]).all(axis=1)
+    within = shapely.contains_xy(areas[:, None], ends[..., 0], ends[..., 1])
+    inside: npt.NDArray[np.bool_] = within.all(axis=1)
     rises = np.ptp(ends[..., 2], axis=1) > standing.SAME_MM
     steps = np.round(ends[inside].reshape(-1, 3) / standing.SAME_MM)
     _, nodes = np.unique(steps, axis=0, return_inverse=True)
