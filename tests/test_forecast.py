@@ -15,6 +15,7 @@ import wireprint
 from command import run
 from wireprint import Settings, _core, examples, forecast_terms, load_mesh, make, simulate
 from wireprint.forecast_words import figure, sentences, unknown
+from wireprint.regions import Box, Region, ZRange
 
 RULES = ["holds", "sags", "meets", "flows", "knots", "welds", "grips"]
 
@@ -289,6 +290,28 @@ def test_a_frame_that_is_too_much_work_is_not_judged(monkeypatch, prints):
     assert found.rules["meets"].verdict == "not judged"
     assert "too much work" in sentences(found)[2]
     assert np.isnan(found.compliance_mm_n).all()
+
+
+def test_layers_of_a_large_hybrid_are_taken_as_rigid(monkeypatch, cube):
+    """Solids beside which wire is soft: what ends on it gives way nearly as before."""
+    settings = Settings.load()
+    region = Region().add(ZRange(high_mm=9)).add(Box(low_mm=(-20, -20, 18), high_mm=(20, 20, 24)))
+    text = make(cube, settings, region, compare=False).gcode
+    whole = simulate(text, settings)
+    assert not whole.core.layers_rigid
+    rigid, work = whole, 1e9
+    while not rigid.core.layers_rigid:
+        work /= 4
+        monkeypatch.setattr(forecast_terms, "MOST_WORK", work)
+        rigid = simulate(text, settings)
+    assert rigid.core.frame_judged
+    assert "layers taken as rigid" in sentences(rigid)[2]
+    both = (rigid.compliance_mm_n > 0) & (whole.compliance_mm_n > 0)
+    assert both.sum() > 40
+    shares = rigid.compliance_mm_n[both] / whole.compliance_mm_n[both]
+    assert 0.7 < np.median(shares) <= 1.001
+    monkeypatch.setattr(forecast_terms, "MOST_WORK", 1.0)
+    assert simulate(text, settings).rules["meets"].verdict == "not judged"
 
 
 def test_the_papers_pause_is_advised():

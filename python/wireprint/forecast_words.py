@@ -115,6 +115,8 @@ def _sentence(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     between = f" ({low} to {high})" if low != high else ""
     worst = f"{_amount(rule.worst, rule.unit)}{between} {where}"
     too_much = verb.format(f"more than {_amount(limit, rule.unit)}")
+    if rule.name == "meets" and forecast.core.layers_rigid:
+        worst += ", layers taken as rigid"
     if rule.verdict == "passes":
         return f"none of {rule.of} {things} would {too_much}: at most {worst}"
     if rule.over == 0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime as dt
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
@@ -9,23 +10,32 @@ from typing import TYPE_CHECKING, Any, Final
 from wireprint import toml
 from wireprint._core import SettingError
 from wireprint.calibration import bending, sphere
-from wireprint.calibration.tents import LENGTHS_MM, RATIO, TENTS, pauses_s
+from wireprint.calibration.tents import LENGTHS_MM, RATIO, STRANDS, TENTS, pauses_s
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     from wireprint.settings import Settings
 
-#: How well a sag is measured, mm: calipers, or a ruler on a photo.
-SAG_MM: Final = 0.15
+#: A sag is measured within so much, mm: calipers, or a ruler on a photo.
+SAG_WITHIN_MM: Final = 0.15
 #: How well a mast's length and drop are measured, mm: with a ruler.
 RULER_MM: Final = 0.5
 #: How well a coin's weight is known, as a share.
 _WEIGHT: Final = 0.02
 #: A pause between two that are evenly likely has this deviation, in shares of their distance.
 _EVENLY: Final = 1 / math.sqrt(12)
+#: So has a sag.
+SAG_SPREAD_MM: Final = 2 * SAG_WITHIN_MM * _EVENLY
 #: A strand whose length is off by more of it is none of the harp.
 _OTHER: Final = 0.25
+#: Strands of harps, and rows of spheres, that are taken.
+_MOST: Final = 40
+#: What a print has is told to three digits.
+_SAME: Final = 0.02
+#: A strand that is so many times as stiff as its diameter and modulus say, or as soft, is none.
+_OTHER_STRAND: Final = 8.0
 #: A coin that drops by more of its length than this hangs from its strand rather than bends it.
 _HANGS: Final = 0.9
 _KEYS: Final = {"date", "ladder", "harp", "mast", "sphere"}
@@ -74,6 +84,14 @@ class Answers:
     sags: tuple[Sag, ...]
     stiff: Stiff | None = None
 
+    def named(self, number: int) -> str:
+        """Say which answer that is: of the pauses, then of the sags."""
+        if number < len(self.pauses):
+            held = self.pauses[number]
+            return f"the pause of the {held.print} at {held.speed_mm_s:.3g} mm/s"
+        sag = self.sags[number - len(self.pauses)]
+        return f"the sag of {sag.length_mm:g} mm at {sag.speed_mm_s:.3g} mm/s"
+
     def words(self) -> tuple[str, ...]:
         """Say what was measured."""
         said = [
@@ -100,13 +118,14 @@ def read(path: Path, settings: Settings) -> Answers:
     if stray := set(values) - _KEYS:
         raise SettingError(f"{path}: {sorted(stray)[0]} is no answer; {_FORM}")
     date = values.get("date")
-    if date is None or not str(date).isprintable() or len(str(date)) > 100:
+    says = isinstance(date, str | dt.date) and 0 < len(str(date).strip()) <= 100
+    if not says or not str(date).isprintable():
         raise SettingError(f"{path}: date is missing, such as date = 2026-11-27; {_FORM}")
     ladder = values.get("ladder")
     pauses = [] if ladder is None else [_ladder(path, ladder, settings)]
     pauses += [_sphere(path, one, settings) for one in _several(path, values, "sphere")]
-    sags = tuple(_sag(path, one) for one in _several(path, values, "harp"))
-    stiff = None if values.get("mast") is None else _mast(path, values["mast"])
+    sags = tuple(_sag(path, one, settings) for one in _several(path, values, "harp"))
+    stiff = None if values.get("mast") is None else _mast(path, values["mast"], settings)
     if not pauses and not sags and stiff is None:
         raise SettingError(f"{path}: nothing was measured; {_FORM}")
     return Answers(str(date), tuple(pauses), sags, stiff)
@@ -116,10 +135,13 @@ def _several(path: Path, values: dict[str, Any], name: str) -> list[Any]:
     found = values.get(name, [])
     if not isinstance(found, list):
         raise SettingError(f"{path}: [[{name}]] is written with two brackets, once for each")
+    if len(found) > _MOST:
+        raise SettingError(f"{path}: {len(found)} of [[{name}]]; {_MOST} are enough, say the best")
     return found
 
 
 def _ladder(path: Path, table: Any, settings: Settings) -> Held:
+    _no_others(path, table, "the ladder", "first_standing")
     first = table.get("first_standing") if isinstance(table, dict) else None
     if isinstance(first, bool) or not isinstance(first, int) or not 1 <= first <= TENTS:
         raise SettingError(
@@ -131,9 +153,11 @@ def _ladder(path: Path, table: Any, settings: Settings) -> Held:
 
 
 def _sphere(path: Path, table: Any, settings: Settings) -> Held:
-    speed = _number(path, table, "a row of [[sphere]]", "speed_mm_s", 0.1, 500)
-    stands = _number(path, table, "a row of [[sphere]]", "pause_s", 0.001, 500)
-    shorter = [pause for pause in sphere.pauses_s(settings) if pause < 0.99 * stands]
+    of = "a row of [[sphere]]"
+    _no_others(path, table, of, "speed_mm_s", "pause_s")
+    speed = _one_of(path, table, of, "speed_mm_s", sphere.speeds_mm_s(settings))
+    stands = _one_of(path, table, of, "pause_s", sphere.pauses_s(settings))
+    shorter = [pause for pause in sphere.pauses_s(settings) if pause < stands]
     return _between("sphere", speed, max(shorter, default=0.0), stands)
 
 
@@ -143,7 +167,8 @@ def _between(print_: str, speed_mm_s: float, fallen_s: float, stands_s: float) -
     return Held(print_, speed_mm_s, middle, spread)
 
 
-def _mast(path: Path, table: Any) -> Stiff:
+def _mast(path: Path, table: Any, settings: Settings) -> Stiff:
+    _no_others(path, table, "the mast", "weight_g", "length_mm", "drop_mm")
     weight = _number(path, table, "the mast", "weight_g", 0.01, 1000)
     length = _number(path, table, "the mast", "length_mm", 1, 500)
     drop = _number(path, table, "the mast", "drop_mm", 0.1, 500)
@@ -153,6 +178,13 @@ def _mast(path: Path, table: Any) -> Stiff:
             "hangs; hang the coin nearer to the block"
         )
     found = bending.stiffness_n_mm2(weight, length, drop)
+    own = bending.of_strand(settings.strand_mm, settings.material.modulus_mpa)
+    if not own / _OTHER_STRAND < found < own * _OTHER_STRAND:
+        raise SettingError(
+            f"{path}: a strand that {weight:g} g at {length:g} mm bend by {drop:g} mm is "
+            f"{found / own:.2g} times as stiff as one of {settings.strand_mm:g} mm of "
+            f"{settings.material.name}: was that in grams and millimetres?"
+        )
     # Drop and length by a ruler, each by itself.
     lower = bending.stiffness_n_mm2(weight, length, max(drop - RULER_MM, drop / 2))
     longer = bending.stiffness_n_mm2(weight, length + RULER_MM, drop)
@@ -160,8 +192,9 @@ def _mast(path: Path, table: Any) -> Stiff:
     return Stiff(found, spread)
 
 
-def _sag(path: Path, table: Any) -> Sag:
+def _sag(path: Path, table: Any, settings: Settings) -> Sag:
     of = "a strand of the harp"
+    _no_others(path, table, of, "length_mm", "speed_mm_s", "sag_mm")
     length = _number(path, table, of, "length_mm", 1, 500)
     if not any(abs(length - own) < _OTHER * own for own in LENGTHS_MM):
         own = " ".join(f"{one:g}" for one in LENGTHS_MM)
@@ -169,8 +202,28 @@ def _sag(path: Path, table: Any) -> Sag:
             f"{path}: length_mm of {of} is {length:g}, and a harp has strands of {own} mm: which "
             "of them was it, in millimetres?"
         )
-    speed = _number(path, table, of, "speed_mm_s", 0.1, 500)
+    speeds = {share * settings.print_mm_s for share, _ in STRANDS}
+    speed = _one_of(path, table, of, "speed_mm_s", sorted(speeds))
     return Sag(length, speed, _number(path, table, of, "sag_mm", 0, length / 2))
+
+
+def _no_others(path: Path, table: Any, of: str, *names: str) -> None:
+    """Refuse keys that are no answer: a name that is spelt wrongly is none that is missing."""
+    if isinstance(table, dict) and (stray := sorted(set(table) - set(names))):
+        raise SettingError(f"{path}: {stray[0]} of {of} is no answer; it has {', '.join(names)}")
+
+
+def _one_of(path: Path, table: Any, of: str, name: str, own: Sequence[float]) -> float:
+    """Read a figure that the print has, written as exactly as its words tell it."""
+    value = _number(path, table, of, name, 0.0, 1e6)
+    nearest = min(own, key=lambda one: abs(one - value))
+    if abs(nearest - value) > _SAME * nearest:
+        listed = ", ".join(f"{one:.3g}" for one in own)
+        raise SettingError(
+            f"{path}: {name} of {of} is {value:g}, and the print has {listed}; are printer, "
+            "material and options those that it was written with?"
+        )
+    return nearest
 
 
 def _number(path: Path, table: Any, of: str, name: str, low: float, high: float) -> float:

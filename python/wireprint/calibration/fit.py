@@ -9,15 +9,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from wireprint import _core
-from wireprint.calibration.answers import SAG_MM
+from wireprint import _core, toml_text
+from wireprint._core import SettingError
+from wireprint.calibration.answers import SAG_SPREAD_MM
 from wireprint.calibration.tents import LENGTHS_MM
 from wireprint.cooling import holds_s
 from wireprint.forecast_terms import air_mm_s
+from wireprint.settings.calibration import Calibration
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -38,6 +40,8 @@ _STEPS: Final = 8
 _SMALL: Final = 0.03
 #: How often a step that makes the fit worse is halved: sags of soft strands are far from straight.
 _HALVED: Final = 3
+#: Answers that are off by more deviations than this say nothing of any machine.
+_ABSURD: Final = 30.0
 #: No parameter is taken farther off than this, in priors.
 _FARTHEST: Final = 3.0
 #: Height of the posts by which pauses at several speeds are compared, mm, and the longest, s.
@@ -62,6 +66,11 @@ class Fitted:
 def fitted(settings: Settings, answers: Answers) -> Fitted:
     """Fit answers, and predict the pause and the sags that follow.
 
+    Raises
+    ------
+    SettingError
+        They are far from what any machine does; it names the one that is farthest off.
+
     Notes
     -----
     Gauss and Newton's method on parameters in units of their priors' deviations, by finite
@@ -71,7 +80,7 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
     told = [(length, settings.print_mm_s) for length in LENGTHS_MM]
     model = _model(settings, [held.speed_mm_s for held in answers.pauses], [*keys, *told])
     measured = [held.pause_s for held in answers.pauses] + [sag.sag_mm for sag in answers.sags]
-    deviations = [held.spread_s for held in answers.pauses] + [SAG_MM] * len(answers.sags)
+    deviations = [held.spread_s for held in answers.pauses] + [SAG_SPREAD_MM] * len(answers.sags)
     # The pause at the speed of printing comes first, and was not measured as such.
     rows = list(range(1, 1 + len(measured)))
     weights = 1 / np.array(deviations)
@@ -106,6 +115,13 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
     deviation = np.sqrt(np.einsum("ij,jk,ik->i", slopes, spread, slopes))
     off = (np.array(measured) - values[rows]) * weights
     misfit = math.sqrt(float(np.mean(off**2))) if len(off) else 0.0
+    if misfit > _ABSURD:
+        worst = int(np.argmax(np.abs(off)))
+        raise SettingError(
+            f"{answers.named(worst)} cannot be: with the others a machine would show "
+            f"{float(values[rows][worst]):.2g}, not {measured[worst]:.2g}; measure it again, in "
+            "millimetres and seconds, or leave it out"
+        )
     # Answers that contradict each other tell less than each by itself (Birge's ratio, 1932).
     deviation *= max(1.0, misfit)
     sags = [
@@ -171,35 +187,40 @@ def _slopes(model: Callable[[Array], Array], place: Array, values: Array) -> Arr
 
 
 def written(settings: Settings, answers: Answers, found: Fitted) -> str:
-    """Return a TOML file with the calibration: for ``--load``, or ``--calibration``."""
-    measured = ", ".join(f'"{word}"' for word in answers.words())
-    machine = f"{settings.printer.name} with {settings.material.name}"
-    lines = [
-        f"# Pause and sags of {machine}, as prints told.",
-        "# Of a model's parameters it holds none: many of them fit as well.",
-        "",
-        "[calibration]",
-        f'date = "{answers.date}"',
-        f"measured = [{measured}]",
-        f"strand_mm = {settings.strand_mm:.9g}",
-        f"nozzle_c = {settings.material.nozzle_c:g}",
-        f'method = "{settings.printer.cooling.method}"',
-        f"print_mm_s = {settings.print_mm_s:.6g}",
-        f"pause_s = {found.pause_s:.3f}",
-        f"pause_spread_s = {found.pause_spread_s:.3f}",
+    """Return a TOML file with the calibration: for ``--load``, or ``--calibration``.
+
+    Raises
+    ------
+    SettingError
+        What was found is no calibration: answers are off what any machine does.
+    """
+    stiff = answers.stiff
+    told: dict[str, Any] = {
+        "date": answers.date,
+        "measured": answers.words(),
+        "strand_mm": round(settings.strand_mm, 9),
+        "nozzle_c": settings.material.nozzle_c,
+        "method": settings.printer.cooling.method,
+        "print_mm_s": round(settings.print_mm_s, 4),
+        "pause_s": round(found.pause_s, 3),
+        "pause_spread_s": round(found.pause_spread_s, 3),
+        "bending_n_mm2": None if stiff is None else stiff.bending_n_mm2,
+        "bending_spread_n_mm2": 0.0 if stiff is None else stiff.spread_n_mm2,
+        "sags": [
+            {"length_mm": length, "sag_mm": round(sag, 3), "spread_mm": round(spread, 3)}
+            for length, sag, spread in (found.sags_mm if answers.sags else ())
+        ],
+    }
+    try:
+        Calibration.model_validate(told)
+    except ValueError as error:
+        raise SettingError(
+            f"what follows from the answers is no calibration: a pause of {found.pause_s:.3g} ± "
+            f"{found.pause_spread_s:.2g} s, sags that are off by {found.misfit:.3g} times what can "
+            "be measured; measure again"
+        ) from error
+    head = [
+        f"Pause and sags of {settings.printer.name} with {settings.material.name}, as prints told.",
+        "Of a model's parameters it holds none: many of them fit as well.",
     ]
-    if answers.stiff is not None:
-        lines += [
-            f"bending_n_mm2 = {answers.stiff.bending_n_mm2:.4g}",
-            f"bending_spread_n_mm2 = {answers.stiff.spread_n_mm2:.3g}",
-        ]
-    if answers.sags:
-        for length, sag, spread in found.sags_mm:
-            lines += [
-                "",
-                "[[calibration.sags]]",
-                f"length_mm = {length:g}",
-                f"sag_mm = {sag:.3f}",
-                f"spread_mm = {spread:.3f}",
-            ]
-    return "\n".join(lines) + "\n"
+    return toml_text.written({"calibration": told}, {}, head)

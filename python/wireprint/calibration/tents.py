@@ -3,8 +3,8 @@
 **The ladder** is twelve tents, each a post and a diagonal, whose pauses grow by a quarter from one
 to the next. The first that stands tells the pause.
 
-**The harp** is strands of three lengths between pairs of tents, at the speed of printing and at
-half of it. How far they sag tells draw and viscosity together.
+**The harp** is strands of three lengths between pairs of tents, at the speed of printing (the
+shortest thrice) and at half of it. How far they sag tells draw and viscosity together.
 """
 
 from __future__ import annotations
@@ -31,9 +31,20 @@ FIRST: Final = 0.26
 _IN_A_ROW: Final = 6
 #: Height of a tent, mm, or as high as the head allows.
 _TENT_MM: Final = 5.0
-#: Lengths of a harp's strands, mm, and shares of the speed of printing.
+#: Lengths of a harp's strands, mm, and the strands from the front: shares of the speed of printing,
+#: with lengths. The shortest are as long as most stretches of prints, and sag by little more than
+#: can be read: so there are three of them.
 LENGTHS_MM: Final = (20.0, 40.0, 60.0)
-SHARES: Final = (1.0, 0.5)
+STRANDS: Final = (
+    (1.0, 20.0),
+    (1.0, 20.0),
+    (1.0, 20.0),
+    (1.0, 40.0),
+    (1.0, 60.0),
+    (0.5, 20.0),
+    (0.5, 40.0),
+    (0.5, 60.0),
+)
 #: Room between what stands, in strands.
 APART: Final = 4.0
 
@@ -84,14 +95,13 @@ def harp(path: Path) -> None:
     top = base + high_mm
     # Twice as long as it must, lest a column gives way before its strand is laid.
     held = 2 * settings.pause_s
-    rows = [(share, length) for share in SHARES for length in LENGTHS_MM]
-    for row, (_, length) in enumerate(rows):
+    for row, (_, length) in enumerate(STRANDS):
         y = row * pitch
         at = (-run_mm - 2 * APART * strand - wide, y - deep / 2)
         numbers.lay(path, row + 1, at, base)
         strip(path, -run_mm, 0.0, y, base)
         strip(path, length, length + run_mm, y, base)
-    for row, (share, length) in enumerate(rows):
+    for row, (share, length) in enumerate(STRANDS):
         y = row * pitch
         tent(path, (length, y), run_mm, top, base, held)
         tent(path, (0.0, y), -run_mm, top, base, held)
@@ -138,14 +148,13 @@ def ladder_words(settings: Settings) -> tuple[str, ...]:
 
 def harp_words(settings: Settings) -> tuple[str, ...]:
     """Say what to measure on a harp."""
-    rows = [(share, length) for share in SHARES for length in LENGTHS_MM]
     listed = ", ".join(
         f"{number}: {length:.0f} mm at {share * settings.print_mm_s:.3g} mm/s"
-        for number, (share, length) in enumerate(rows, 1)
+        for number, (share, length) in enumerate(STRANDS, 1)
     )
     return (
         f"strands from front to back, their numbers at the left; {listed}",
         "measure: how far each hangs at mid-span below the line between its ends, with calipers, "
         "or with a ruler on a photo from the side: to 0.15 mm",
-        "answer: for each [[harp]] length_mm = …, speed_mm_s = …, sag_mm = …",
+        "answer: for each of them one [[harp]] length_mm = …, speed_mm_s = …, sag_mm = …",
     )

@@ -80,6 +80,7 @@ def fit(answers: Path, output: str, **options: Any) -> None:
     row of spheres [[sphere]] speed_mm_s, pause_s; those that were printed. The options are
     those that the prints were made with.
     """
+    from wireprint._core import SettingError
     from wireprint.calibration import bending
     from wireprint.calibration.answers import read
     from wireprint.calibration.fit import fitted, written
@@ -88,8 +89,12 @@ def fit(answers: Path, output: str, **options: Any) -> None:
     settings = chosen.settings()
     target = files.output(output, "calibration.toml", (".toml",), [answers, *chosen.files])
     told = read(answers, settings)
-    found = fitted(settings, told)
-    target.write(written(settings, told, found).encode())
+    try:
+        found = fitted(settings, told)
+        text = written(settings, told, found)
+    except SettingError as error:
+        raise SettingError(f"{answers}: {error}") from error
+    target.write(text.encode())
     lines = [
         f"{target}: {settings.printer.name} with {settings.material.name}",
         f"  pause  {found.pause_s:.2f} ± {found.pause_spread_s:.2f} s "

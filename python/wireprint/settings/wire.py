@@ -27,8 +27,10 @@ def _one_is_several(value: object) -> object:
     """Take one band for a list of one, and None for an empty one."""
     if value is None:
         return ()
-    is_one = isinstance(value, list | tuple) and len(value) > 0
-    return [value] if is_one and not any(isinstance(one, list | tuple) for one in value) else value
+    if isinstance(value, list | tuple) and value:
+        is_one = not any(isinstance(one, list | tuple) for one in value)
+        return [value] if is_one else value
+    return value
 
 
 #: Bands of heights, and how high slabs are there; one band may stand alone.

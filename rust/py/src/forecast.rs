@@ -67,6 +67,12 @@ impl Forecast {
         self.core.frame_judged
     }
 
+    /// Whether what was laid layer by layer counts as rigid in that frame.
+    #[getter]
+    fn layers_rigid(&self) -> bool {
+        self.core.layers_rigid
+    }
+
     /// Whether the air ever blows.
     #[getter]
     fn air_blows(&self) -> bool {

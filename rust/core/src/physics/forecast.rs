@@ -7,20 +7,21 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::beam::Section;
+use super::blocks::layered;
 use super::climate::Climate;
 use super::clock::{StrandTimes, spans};
 use super::conditions::{Conditions, along};
 use super::contacts::contacts;
 use super::flows::{Flows, flows};
 use super::frame::Frame;
-use super::growing::grow;
+use super::growing::{Laid, grow};
 use super::growth::{carrying, rises};
 use super::hanging::{HangingStretch, stretches};
 use super::holds::{Stroke, softness};
 use super::joints::{Joints, joints};
 use super::sagging::sagging;
 use super::scene::{Found, Scene, Terms};
-use crate::check::contact;
+use crate::check::contact::{self, StrandPart};
 use crate::check::deposit::Deposit;
 use crate::check::reading::{Macros, Reading};
 use crate::check::rules::Rules;
@@ -71,6 +72,9 @@ pub struct Forecast {
     pub weld_median: f64,
     /// Whether the frame was judged: not where that would take too much work.
     pub frame_judged: bool,
+    /// Whether what was laid layer by layer counts as rigid there: it does where all strands would
+    /// take too much work.
+    pub layers_rigid: bool,
     /// Whether the air ever blows.
     pub air_blows: bool,
 }
@@ -120,11 +124,12 @@ impl Scene<'_> {
     /// What all rules find.
     fn forecast(&self, conditions: &Conditions) -> Result<Forecast> {
         let Self { deposit, rules, terms, .. } = self;
-        let hanging = stretches(deposit, &contact::of_all(deposit, rules), rules);
+        let parts = contact::of_all(deposit, rules);
+        let hanging = stretches(deposit, &parts, rules);
         let touching = contacts(deposit, rules, |strand| self.carries[strand])?;
         let Joints { age, celsius, weld, found: welds, median } = joints(self, &touching);
         let frame = Frame::of(deposit, rules, touching, |strand| self.carries[strand]);
-        let grown = self.grown(&frame.on_the_bed())?;
+        let grown = self.grown(frame.on_the_bed(), &parts)?;
         let (sag, sags) = sagging(self, &hanging);
         let Flows { shares, strokes, knots } = flows(self, &conditions.advance);
         let strands = PerStrand {
@@ -141,6 +146,7 @@ impl Scene<'_> {
             holds: terms.sets_faster.map(|faster| self.holds(&hanging, &grown, faster)),
             meets: grown.meets,
             frame_judged: grown.judged,
+            layers_rigid: grown.layers_rigid,
             strands,
             sags,
             flows: strokes,
@@ -152,19 +158,25 @@ impl Scene<'_> {
     }
 
     /// How far the frame gives way as it grows.
-    fn grown(&self, frame: &Frame) -> Result<Grown> {
-        let Self { deposit, rules, terms, .. } = self;
+    fn grown(&self, frame: Frame, parts: &[Vec<StrandPart>]) -> Result<Grown> {
+        let Self { read, deposit, rules, terms, .. } = self;
         let mut compliance = vec![f64::NAN; deposit.strands.len()];
         let mut meets = Found::default();
         let section = Section::new(rules.strand, terms.frame_modulus());
-        let judged = grow(frame, section, terms.most_work, |laid| {
+        let mut told = |laid: Laid| {
             compliance[laid.strand] = laid.tip.or(laid.met).unwrap_or(f64::NAN);
             if let Some(met) = laid.met {
                 let miss = terms.pull_n * met;
                 meets.add(self.at_end(laid.strand, miss, 0.0, met), rules.tolerance());
             }
-        })?;
-        Ok(Grown { compliance, meets, judged })
+        };
+        let mut judged = grow(&frame, section, terms.most_work, &mut told)?;
+        let layers_rigid = !judged;
+        if layers_rigid {
+            let layered = layered(&read.features, deposit, parts, rules.tolerance());
+            judged = grow(&frame.in_blocks(&layered), section, terms.most_work, &mut told)?;
+        }
+        Ok(Grown { compliance, meets, judged, layers_rigid })
     }
 
     /// How far posts lean when the nozzle leaves them, if they set faster by so much.
@@ -204,4 +216,5 @@ struct Grown {
     compliance: Vec<f64>,
     meets: Found,
     judged: bool,
+    layers_rigid: bool,
 }

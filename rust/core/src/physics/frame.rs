@@ -16,7 +16,7 @@ const SHORTEST_MM: f64 = 1e-3;
 const NODE_REACHES: f64 = 3.0;
 
 /// A piece of a strand between two nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Beam {
     /// The node nearer to the strand's start.
     pub from: u32,
@@ -24,10 +24,25 @@ pub(super) struct Beam {
     pub to: u32,
     /// Its strand.
     pub strand: u32,
+    /// From the place of each node to where the beam begins and ends, mm: none but in blocks.
+    pub arms: [DVec3; 2],
+}
+
+impl Beam {
+    /// A piece of a strand from the place of one node to that of another.
+    pub(super) fn between(from: u32, to: u32, strand: u32) -> Self {
+        Self { from, to, strand, arms: [DVec3::ZERO; 2] }
+    }
+
+    /// The same from its other end.
+    pub(super) fn turned(self) -> Self {
+        let Self { from, to, strand, arms: [begin, end] } = self;
+        Self { from: to, to: from, strand, arms: [end, begin] }
+    }
 }
 
 /// All strands as beams, in the order in which they are laid.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Frame {
     /// Where each node is, mm: in the middle of the places that are joined there.
     pub places: Vec<DVec3>,
@@ -162,7 +177,7 @@ impl<'a> Joining<'a> {
             }
             pairs.extend(met.windows(2).map(|pair| [pair[0], pair[1]]));
             for [from, to] in pairs.into_iter().filter(|pair| pair[0] != pair[1]) {
-                frame.beams.push(Beam { from, to, strand: strand as u32 });
+                frame.beams.push(Beam::between(from, to, strand as u32));
             }
             frame.ends.push(met.first().zip(met.last()).map(|(&a, &b)| [a, b]));
         }

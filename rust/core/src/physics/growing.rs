@@ -3,11 +3,13 @@
 //! Kept is the compliance of those nodes alone that later beams will touch: a free end adds a node,
 //! an end that meets another closes a loop.
 
+use glam::DVec3;
+
 use super::beam::{Section, transport};
 use super::compliance::Compliance;
-use super::frame::Frame;
+use super::frame::{Beam, Frame};
 use super::opening::{Effort, Opening};
-use super::six::greatest_of_shifts;
+use super::six::{Six, greatest_of_shifts, product, transposed};
 use crate::error::Result;
 use crate::memory;
 
@@ -60,18 +62,19 @@ fn lay(
         let mut tip = None;
         let mut met: Option<f64> = None;
         for beam in beams {
-            let [from, to] = [beam.from as usize, beam.to as usize];
-            let is_held = |node: usize| frame.fixed[node] || slots[node].is_some();
+            let is_held = |node: u32| frame.fixed[node as usize] || slots[node as usize].is_some();
             // A beam is laid from what holds it; one that nothing holds is loose, and left out.
-            let (from, to) = if is_held(from) { (from, to) } else { (to, from) };
-            if !is_held(from) {
+            let beam = if is_held(beam.from) { *beam } else { beam.turned() };
+            if !is_held(beam.from) {
                 continue;
             }
-            let run = frame.places[to] - frame.places[from];
-            let (transport, flexibility) = (transport(run), section.flexibility(run));
-            if is_held(to) {
+            let is_closed = is_held(beam.to);
+            let [from, to] = [beam.from as usize, beam.to as usize];
+            let (transport, flexibility) = between(frame, &beam, section);
+            if is_closed {
                 if let Some(slot) = slots[to] {
-                    let gives = greatest_of_shifts(&compliance.block(slot));
+                    let block = carried(&compliance.block(slot), beam.arms[1]);
+                    let gives = greatest_of_shifts(&block);
                     met = Some(met.map_or(gives, |most| most.max(gives)));
                 }
                 compliance.close(slots[from], slots[to], &transport, &flexibility);
@@ -99,12 +102,28 @@ fn lay(
     }
 }
 
+/// How a beam's start carries the node at its end, and how far that gives way by the beam alone.
+fn between(frame: &Frame, beam: &Beam, section: Section) -> (Six, Six) {
+    let [from, to] = [beam.from, beam.to].map(|node| frame.places[node as usize]);
+    let run = to + beam.arms[1] - from - beam.arms[0];
+    (transport(to - from), carried(&section.flexibility(run), -beam.arms[1]))
+}
+
+/// The compliance of what is fixed to a point with one, `arm` mm away.
+fn carried(compliance: &Six, arm: DVec3) -> Six {
+    if arm == DVec3::ZERO {
+        return *compliance;
+    }
+    let carries = transport(arm);
+    let half = product(&carries, compliance);
+    product(&half, &transposed(&carries))
+}
+
 #[cfg(test)]
 mod tests {
     use glam::{DVec3, dvec3};
 
-    use super::super::frame::Beam;
-    use super::super::six::{Six, identity, lower_factor, solve_lower};
+    use super::super::six::{identity, lower_factor, solve_lower};
     use super::*;
 
     fn inverse(matrix: &Six) -> Six {
@@ -118,9 +137,15 @@ mod tests {
 
     /// Shifts of a node of a frame under unit forces there, by Gauss on the whole stiffness matrix.
     fn direct(frame: &Frame, beams: &[Beam], section: Section, node: usize) -> Six {
+        let beams: Vec<_> = beams.iter().map(|&beam| (beam, section)).collect();
+        direct_of(frame, &beams, node)
+    }
+
+    /// The same for beams with a section each.
+    fn direct_of(frame: &Frame, beams: &[(Beam, Section)], node: usize) -> Six {
         let n = 6 * frame.places.len();
         let mut rows = vec![vec![0.0; n + 6]; n];
-        for &Beam { from, to, .. } in beams {
+        for &(Beam { from, to, .. }, section) in beams {
             let [a, b] = [from, to].map(|node| node as usize);
             let run = frame.places[b] - frame.places[a];
             let stiff = inverse(&section.flexibility(run));
@@ -143,7 +168,7 @@ mod tests {
             }
         }
         let touched = |node: usize| {
-            beams.iter().any(|beam| beam.from as usize == node || beam.to as usize == node)
+            beams.iter().any(|(beam, _)| beam.from as usize == node || beam.to as usize == node)
         };
         for i in (0..n).filter(|i| frame.fixed[i / 6] || !touched(i / 6)) {
             rows[i].fill(0.0);
@@ -187,7 +212,7 @@ mod tests {
         }
         let mut strand = |from: u32, to: u32| {
             let strand = frame.ends.len() as u32;
-            frame.beams.push(Beam { from, to, strand });
+            frame.beams.push(Beam::between(from, to, strand));
             frame.ends.push(Some([from, to]));
         };
         for level in 0..levels {
@@ -255,6 +280,85 @@ mod tests {
         for &(strand, compliance) in found.iter().step_by(9) {
             assert_gives_way(&frame, section, strand, compliance);
         }
+    }
+
+    /// A cube of layers on four posts, and a post on each of its corners.
+    fn table(rigid: bool) -> (Frame, Vec<bool>) {
+        let mut frame = Frame::default();
+        let mut layered = Vec::new();
+        let corner = |i: u32| match i % 4 {
+            0 => dvec3(0.0, 0.0, 0.0),
+            1 => dvec3(9.0, 0.0, 0.0),
+            2 => dvec3(9.0, 7.0, 0.0),
+            _ => dvec3(0.0, 7.0, 0.0),
+        };
+        let heights = [0.0, 6.0, 6.5, 7.0, 12.0];
+        for (level, &z) in heights.iter().enumerate() {
+            for i in 0..4 {
+                frame.places.push(corner(i) + DVec3::Z * z);
+                frame.fixed.push(level == 0);
+            }
+        }
+        let mut strand = |from: u32, to: u32, layer: bool| {
+            frame.beams.push(Beam::between(from, to, layered.len() as u32));
+            frame.ends.push(Some([from, to]));
+            layered.push(layer);
+        };
+        for i in 0..4 {
+            strand(i, 4 + i, false);
+        }
+        // Each layer is a ring with both diagonals, laid on the one below.
+        for level in [8, 12] {
+            for i in 0..4 {
+                strand(level - 4 + i, level + i, true);
+            }
+            for (i, j) in [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3)] {
+                strand(level + i, level + j, true);
+            }
+        }
+        for i in 0..4 {
+            strand(12 + i, 16 + i, false);
+        }
+        let frame = if rigid { frame.in_blocks(&layered) } else { frame };
+        (frame, layered)
+    }
+
+    #[test]
+    fn layers_in_blocks_give_way_a_little_less_than_their_strands() {
+        let told = |rigid: bool| {
+            let (frame, _) = table(rigid);
+            let mut found = Vec::new();
+            grow_all(&frame, Section::new(0.7, 2200.0), |strand, c| found.push((strand, c)));
+            found
+        };
+        let [strands, blocks] = [told(false), told(true)];
+        let posts = |found: &[(usize, f64)]| -> Vec<f64> {
+            found.iter().filter(|one| one.0 >= 24).map(|one| one.1).collect()
+        };
+        let [strands, blocks] = [posts(&strands), posts(&blocks)];
+        assert_eq!([strands.len(), blocks.len()], [4, 4]);
+        for (strands, blocks) in strands.iter().zip(&blocks) {
+            assert!(blocks < strands && *blocks > 0.5 * strands, "{blocks} {strands}");
+        }
+    }
+
+    /// With strands as good as rigid there is no difference.
+    #[test]
+    fn a_block_is_what_ever_stiffer_layers_come_to() {
+        let (frame, layered) = table(false);
+        let (blocks, _) = table(true);
+        let section = Section::new(0.7, 2200.0);
+        let last = 27;
+        let mut found = 0.0;
+        grow_all(&blocks, section, |strand, c| found = if strand == last { c } else { found });
+        // Layers of strands a hundred times as thick, but for those that meet the posts below.
+        let stiff = Section::new(70.0, 2200.0);
+        let in_block = |strand: u32| strand >= 8 && layered[strand as usize];
+        let of = |strand: u32| if in_block(strand) { stiff } else { section };
+        let beams: Vec<_> = frame.beams.iter().map(|&beam| (beam, of(beam.strand))).collect();
+        let end = frame.ends[last].unwrap()[1] as usize;
+        let expected = greatest_of_shifts(&direct_of(&frame, &beams, end));
+        assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
     }
 
     #[test]

@@ -9,6 +9,7 @@
 mod band;
 mod beam;
 mod beams;
+mod blocks;
 mod climate;
 mod clock;
 mod closest;

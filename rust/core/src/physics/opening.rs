@@ -20,7 +20,7 @@ pub(super) struct Opening {
 impl Opening {
     pub(super) fn of(frame: &Frame) -> Self {
         let mut last = vec![0; frame.places.len()];
-        for &Beam { from, to, strand } in &frame.beams {
+        for &Beam { from, to, strand, .. } in &frame.beams {
             for node in [from, to] {
                 let last = &mut last[node as usize];
                 *last = strand.max(*last);

@@ -36,6 +36,16 @@ pub(super) fn lower_factor(matrix: &Six) -> Option<Six> {
     Some(lower)
 }
 
+/// The product of two matrices.
+pub(super) fn product(a: &Six, b: &Six) -> Six {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..6).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+/// A matrix, its rows as columns.
+pub(super) fn transposed(a: &Six) -> Six {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
 /// Six rows times the inverse of a lower triangular matrix, from the left.
 pub(super) fn solve_lower(lower: &Six, rows: &mut [Vec<f64>; 6]) {
     for (i, factors) in lower.iter().enumerate() {
