@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from command import run
-from wireprint import examples, view, view_styles
+from wireprint import examples, view, view_source, view_styles
 from wireprint._core import GcodeError, Scene, SettingError, Strands
 from wireprint.gcode.document import moves
 from wireprint.mesh import load_mesh
@@ -182,12 +182,12 @@ def test_the_legend_names_what_is_shown_in_the_order_of_the_pipeline():
     entries = view_styles.legend(strands, view_styles.palette(strands))
     assert [entry.name for entry in entries] == ["contour", "post", "skin"]
     assert entries[0].amount == "0.04 m"
-    assert view.size_text(strands) == "40.0 x 0.0 x 20.0 mm"
+    assert view_source.size_text(strands) == "40.0 x 0.0 x 20.0 mm"
 
 
 def test_the_size_is_that_of_the_object_without_its_skirt():
     strands = Strands.from_gcode(gcode("SKIRT", "CONTOUR", "CONTOUR"))
-    assert view.size_text(strands) == "40.0 x 0.0 x 10.0 mm"
+    assert view_source.size_text(strands) == "40.0 x 0.0 x 10.0 mm"
 
 
 def test_the_legend_lies_beside_the_picture():
@@ -264,7 +264,8 @@ def test_thumbnails_show_the_object_without_its_skirt():
 SAME_ON_ANY_THREADS = """
 import hashlib, sys
 from wireprint import view
-strands = view.Strands.from_gcode(sys.stdin.buffer.read())
+from wireprint._core import Strands
+strands = Strands.from_gcode(sys.stdin.buffer.read())
 for png in [view.render_png(strands), *(png for _, _, png in view.thumbnails(strands))]:
     print(hashlib.sha256(png).hexdigest())
 assert "numpy" not in sys.modules

@@ -10,7 +10,7 @@ from wireprint.duration import duration
 from wireprint.view import render_png
 
 if TYPE_CHECKING:
-    from wireprint.view import Source
+    from wireprint.view_source import Source
 
 #: Width and height, pixels.
 SIZE: Final = (640, 480)

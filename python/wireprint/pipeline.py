@@ -343,9 +343,10 @@ def _thumbnails(path: Toolpath, settings: Settings) -> Callable[[], list[Thumbna
     sizes = settings.printer.gcode.thumbnails
     if not sizes:
         return list
-    from wireprint import view
+    from wireprint.view import begin_thumbnails
+    from wireprint.view_source import strands_of
 
-    drawn = view.begin_thumbnails(view.strands_of(path, settings), sizes)
+    drawn = begin_thumbnails(strands_of(path, settings), sizes)
     # What is left of a size behind width and height is the picture's form.
     return lambda: [
         document.Thumbnail(*made, *size[2:]) for made, size in zip(drawn(), sizes, strict=True)

@@ -8,13 +8,25 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, Final
 
-from wireprint import _core
 from wireprint._core import Mesh, Scene, SettingError, Strands
-from wireprint.files import GCODE_SUFFIXES, apart, written_whole
-from wireprint.naming import named
+from wireprint.files import apart, written_whole
 from wireprint.text import one_line
+from wireprint.view_source import (
+    Shown,
+    Source,
+    is_gcode,
+    judged_in,
+    load,
+    mesh_of,
+    size_mm,
+    size_text,
+    strands_from,
+    strands_in,
+    strands_of,
+    text_in,
+)
 from wireprint.view_styles import (
     BREACH,
     EDGE,
@@ -32,18 +44,17 @@ from wireprint.view_styles import (
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Iterable, Sequence
 
-    from wireprint._core import Toolpath
-    from wireprint.certificate import Certificate
-    from wireprint.inputs import ModelLike
     from wireprint.model import Model
-    from wireprint.settings import Settings
-    from wireprint.wire_print import WirePrint
 
-#: What can be shown: a file, G-code as bytes, or what is in memory already.
-Source: TypeAlias = "ModelLike | bytes | WirePrint | Certificate | Strands"
-#: What is in memory: a model is a mesh with marks.
-Shown: TypeAlias = "Strands | Mesh | Model"
-
+__all__ = (
+    "begin_thumbnails",
+    "load",
+    "render_html",
+    "render_png",
+    "strands_in",
+    "strands_of",
+    "thumbnails",
+)
 
 #: Azimuth, elevation and field of view in degrees; a field of view of 0 is a parallel projection.
 CAMERAS: Final = {
@@ -86,129 +97,6 @@ def camera_angles(camera: str) -> tuple[float, float, float]:
         names = ", ".join(CAMERAS)
         raise SettingError(f"camera is {camera!r}; it must be {names} or AZ,EL") from None
     return azimuth, elevation, CAMERAS["iso"][2]
-
-
-def is_gcode(path: str | os.PathLike[str]) -> bool:
-    """Whether a file's name is that of G-code."""
-    return Path(path).suffix.lower() in GCODE_SUFFIXES
-
-
-def load(source: Source, **placement: Any) -> Shown:
-    """Read what a file shows: the strands of G-code, or a model with the marks of its file.
-
-    Parameters
-    ----------
-    source
-        A G-code or model file; G-code as bytes; a print or a certificate; whatever
-        `wireprint.as_mesh` takes. Strands, meshes and models are returned as they are.
-    **placement
-        How a model is placed: what `wireprint.mesh.load_mesh` takes.
-
-    Returns
-    -------
-    Strands, Mesh or Model
-        What can be drawn; a mesh where nothing is marked.
-
-    Raises
-    ------
-    GcodeError, ModelError, OSError
-        The file cannot be read.
-    """
-    if isinstance(source, Strands | Mesh):
-        return source
-    if isinstance(source, bytes):
-        return Strands.from_gcode(source)
-    if isinstance(gcode := getattr(source, "gcode", None), bytes):
-        return Strands.from_gcode(gcode)
-    if isinstance(source, str | os.PathLike) and is_gcode(source):
-        return strands_in(source)
-    if (judged := _judged(source)) is not None:
-        core, width_mm = judged.core, judged.rules["strand_mm"]
-        return Strands.from_arrays(core.strands, core.strand_features, core.features, width_mm)
-    from wireprint.inputs import as_model
-
-    model = as_model(cast("ModelLike", source), **placement)
-    return model if model.region else model.mesh
-
-
-def _judged(source: Source) -> Certificate | None:
-    """Return what is shown if it is a certificate, which brings its breaches along."""
-    judged = isinstance(getattr(source, "core", None), _core.Certificate)
-    return cast("Certificate", source) if judged else None
-
-
-def strands_in(path: str | os.PathLike[str]) -> Strands:
-    """Read the strands of a G-code file, whatever its name.
-
-    Parameters
-    ----------
-    path
-        The file.
-
-    Returns
-    -------
-    Strands
-        What it lays.
-
-    Raises
-    ------
-    GcodeError, OSError
-        The file cannot be read.
-    """
-    return strands_from(text_in(path), path)
-
-
-def text_in(path: str | os.PathLike[str]) -> bytes:
-    """Return the text of a G-code file, whatever its name; see `wireprint.gcode.source.read`."""
-    from wireprint.gcode.source import read
-
-    return read(path)[0]
-
-
-def strands_from(gcode: bytes, path: str | os.PathLike[str]) -> Strands:
-    """Return the strands of a text, which is called by its file's name in errors.
-
-    Raises
-    ------
-    GcodeError
-        It lays none.
-    """
-    with named(path):
-        return Strands.from_gcode(gcode)
-
-
-def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
-    """Return what a toolpath lays, to be drawn before any G-code is written.
-
-    Parameters
-    ----------
-    toolpath, settings
-        See `wireprint.pipeline.to_gcode`.
-
-    Returns
-    -------
-    Strands
-        What it lays.
-    """
-    from wireprint._core import KINDS
-
-    diameter_mm = settings.printer.extruder.filament_diameter_mm
-    return Strands.from_toolpath(toolpath, KINDS, diameter_mm)
-
-
-def size_text(shown: Shown) -> str:
-    """Size of the object itself, such as ``84.2 x 65.0 x 83.4 mm``."""
-    return " x ".join(f"{length:.1f}" for length in size_mm(shown)) + " mm"
-
-
-def size_mm(shown: Shown) -> list[float]:
-    """Size of the object itself, mm."""
-    if not isinstance(shown, Strands):
-        low, high = _mesh(shown).bounds.tolist()
-    else:
-        objects = [label for label in shown.labels if style_of(label).is_object]
-        low, high = shown.bounds(objects) or shown.bounds(shown.labels) or ((0.0,) * 3,) * 2
-    return [b - a for a, b in zip(low, high, strict=True)]
 
 
 def render_png(
@@ -380,16 +268,12 @@ def _title(title: str | None, source: Source) -> str:
 
 
 def _breaches(source: Source, more: Iterable[Sequence[float]]) -> list[Sequence[float]]:
-    judged = _judged(source)
+    judged = judged_in(source)
     return [*more, *(() if judged is None else judged.breach_points_mm)]
 
 
 def _points(marked: Iterable[Sequence[float]]) -> list[tuple[float, float, float]]:
     return [(float(x), float(y), float(z)) for x, y, z in marked]
-
-
-def _mesh(shown: Mesh | Model) -> Mesh:
-    return shown if isinstance(shown, Mesh) else shown.mesh
 
 
 def _fill(
@@ -402,7 +286,7 @@ def _fill(
     """Put what is shown into the scene, and return the legend."""
     if not isinstance(shown, Strands):
         if edges:
-            scene.add_edges(_mesh(shown), EDGE)
+            scene.add_edges(mesh_of(shown), EDGE)
         return _fill_surface(scene, shown)
     colours = palette(shown, kinds)
     scene.add_strands(shown, colours, travel=TRAVEL if travels else None)

@@ -21,7 +21,7 @@ from wireprint.streams import STREAM, is_stream
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from wireprint.view import Shown
+    from wireprint.view_source import Shown
     from wireprint.view_stages import Stage
     from wireprint.weakness import Weak
 
@@ -129,6 +129,7 @@ def view(
     printer, material and other settings to --stage alone.
     """
     from wireprint import view as pictures
+    from wireprint import view_source
 
     chosen, marks = chosen_from(options), marks_from(options, [file])
     if output is None and is_stream(file):
@@ -146,13 +147,13 @@ def view(
     places: tuple[Weak, ...] = ()
     gcode: bytes | None = None
     by_stdin = is_stream(file) and options["file_format"] is None
-    if by_stdin or pictures.is_gcode(file):
+    if by_stdin or view_source.is_gcode(file):
         if marks.fill or marks.files:
             raise click.UsageError(f"{file}: G-code cannot be marked; mark its model")
         if stage is not None:
             raise click.UsageError(f"{file}: --stage draws what becomes of a model; name its model")
-        gcode = pictures.text_in(file)
-        shown: Shown = pictures.strands_from(gcode, file)
+        gcode = view_source.text_in(file)
+        shown: Shown = view_source.strands_from(gcode, file)
         places = _weak(file) if weak else ()
     elif stage is not None:
         from wireprint import view_stages
@@ -160,7 +161,7 @@ def view(
         model = marks.load(file, options)
         shown = view_stages.stage(stage, model.mesh, chosen.of(model), slabs)
     elif marks.concern(file, options):
-        shown = pictures.load(marks.load(file, options))
+        shown = view_source.load(marks.load(file, options))
     else:
         from wireprint.mesh import load_mesh
 
@@ -197,10 +198,10 @@ def _forecast(
     file: Path, target: files.Output, colour: str, size: tuple[int, int], camera: str
 ) -> None:
     """Draw G-code in the colours of a figure, for the printer that its file names."""
-    from wireprint import forecast_page, view
+    from wireprint import forecast_page, view_source
     from wireprint.forecast import simulate
 
-    if not (is_stream(file) or view.is_gcode(file)):
+    if not (is_stream(file) or view_source.is_gcode(file)):
         raise click.UsageError(
             f"{file}: --colour draws a forecast of G-code; slice the model first"
         )
