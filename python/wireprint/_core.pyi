@@ -7,8 +7,6 @@ from typing import Any, ClassVar, Literal, TypeAlias, TypedDict, final
 import numpy as np
 import numpy.typing as npt
 
-from wireprint.limits import MotionTable
-
 __all__ = [
     "FORMATS",
     "HOLE_PERIMETER",
@@ -372,7 +370,7 @@ class Estimate:
 
 def estimate(
     text: bytes,
-    limits: MotionTable,
+    limits: Mapping[str, Any],
     firmware: str,
     *,
     allowances_s: tuple[float, float, float, float],
@@ -380,7 +378,7 @@ def estimate(
 ) -> Estimate: ...
 def estimate_files(
     paths: Sequence[str | os.PathLike[str]],
-    limits: MotionTable,
+    limits: Mapping[str, Any],
     firmware: str,
     *,
     allowances_s: tuple[float, float, float, float],

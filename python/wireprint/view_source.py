@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast
 
 from wireprint import _core
 from wireprint._core import Mesh, Strands
@@ -14,14 +14,38 @@ from wireprint.view_styles import style_of
 
 if TYPE_CHECKING:
     from wireprint._core import Toolpath
-    from wireprint.certificate import Certificate
     from wireprint.inputs import ModelLike
     from wireprint.model import Model
     from wireprint.settings import Settings
-    from wireprint.wire_print import WirePrint
+    from wireprint.verdict import Point
+
+
+class Written(Protocol):
+    """What has G-code, as a `wireprint.WirePrint` has."""
+
+    @property
+    def gcode(self) -> bytes:
+        """The file."""
+
+
+class Judged(Protocol):
+    """What was judged, as a `wireprint.Certificate` is."""
+
+    @property
+    def core(self) -> _core.Certificate:
+        """The verdict, with all strands."""
+
+    @property
+    def rules(self) -> dict[str, Any]:
+        """What it was judged by."""
+
+    @property
+    def breach_points_mm(self) -> list[Point]:
+        """One place for each breach, mm."""
+
 
 #: What can be shown: a file, G-code as bytes, or what is in memory already.
-Source: TypeAlias = "ModelLike | bytes | WirePrint | Certificate | Strands"
+Source: TypeAlias = "ModelLike | bytes | Written | Judged | Strands"
 #: What is in memory: a model is a mesh with marks.
 Shown: TypeAlias = "Strands | Mesh | Model"
 
@@ -69,10 +93,10 @@ def load(source: Source, **placement: Any) -> Shown:
     return model if model.region else model.mesh
 
 
-def judged_in(source: Source) -> Certificate | None:
+def judged_in(source: Source) -> Judged | None:
     """Return what is shown if it is a certificate, which brings its breaches along."""
     judged = isinstance(getattr(source, "core", None), _core.Certificate)
-    return cast("Certificate", source) if judged else None
+    return cast("Judged", source) if judged else None
 
 
 def strands_in(path: str | os.PathLike[str]) -> Strands:
