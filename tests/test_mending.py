@@ -11,7 +11,7 @@ from wireprint import KINDS, Settings, pipeline, stages
 from wireprint.cascade import falling
 from wireprint.certificate import check
 from wireprint.gcode import document
-from wireprint.mending import _blamed, mended
+from wireprint.mending import _blamed, _faulty, mended
 from wireprint.pipeline import make
 from wireprint.regions import Region, ZRange
 
@@ -90,13 +90,24 @@ def test_what_falls_is_told_from_the_strands_around_as_from_the_whole_print(cube
     while True:
         left = strands.beyond(whole)
         numbers = np.setdiff1d(np.arange(strands.strand_count), whole)
-        fresh = numbers[to_blame(left)].tolist()
+        fresh = [int(numbers[one]) for found in to_blame(left).values() for one in found]
         if not fresh:
             break
         whole = sorted({*whole, *fresh})
     alone, rounds = falling(strands, dropped, settings.strand_mm, to_blame, 100)
     assert alone == whole
     assert rounds > 0
+
+
+@pytest.mark.parametrize("away", [True, False])
+def test_all_that_nothing_holds_at_one_end_is_to_blame_at_once(away):
+    # A line that leaves the wall below it behind at 10 mm, or comes to it from the air.
+    steps = list(range(21) if away else range(20, -1, -1))
+    lines = ["G28", "M109 S230", "G92 E0", "M83", "G0 X0 Y0 Z0.3 F3000", "G1 X10 E1 F600"]
+    lines += [f"G0 X{steps[0]} Z0.8", *(f"G1 X{x} E0.3" for x in steps[1:]), ""]
+    certificate = check("\n".join(lines).encode(), "kossel-mini")
+    (stretch,) = _faulty(certificate, (0.0, 0.0, 0.0))
+    assert sorted(min(ends[:, 0]) for ends in stretch) == list(range(10, 20))
 
 
 def test_a_print_that_leaves_the_bed_is_not_mended(cube):

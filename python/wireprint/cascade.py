@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     Floats = npt.NDArray[np.float64]
     Ints = npt.NDArray[np.int64]
+    Judge = Callable[[Wireframe], dict[int, list[int]]]
 
 #: A piece reaches so many strands' diameters beyond what is left out, …
 _REACH: Final = 16.0
@@ -33,7 +34,7 @@ def falling(
     strands: Wireframe,
     dropped: list[int],
     strand_mm: float,
-    judge: Callable[[Wireframe], list[int]],
+    judge: Judge,
     rounds: int,
 ) -> tuple[list[int], int]:
     """Find what hangs on strands that are left out, what hangs on that, and so on.
@@ -47,7 +48,8 @@ def falling(
     strand_mm
         Diameter of a strand, mm.
     judge
-        Tells the numbers of the strands of a print that are to blame for breaches.
+        Tells the numbers of the strands of a print that are to blame for breaches, by the number
+        of the strand that breaks a rule.
     rounds
         Most times that something may be found to fall.
 
@@ -79,8 +81,8 @@ class _Piece:
         self.numbers, self.inner = numbers, inner
         others = np.setdiff1d(np.arange(strands.strand_count), numbers)
         self.strands = strands.beyond(others.tolist())
-        #: What seems to fall of it as it is.
-        self.seeming: list[int] = []
+        #: What seems to break a rule in it as it is, by its numbers in the print.
+        self.seeming: set[int] = set()
 
     @classmethod
     def around(
@@ -88,7 +90,7 @@ class _Piece:
         strands: Wireframe,
         dropped: list[int],
         reach_mm: float,
-        judge: Callable[[Wireframe], list[int]],
+        judge: Judge,
     ) -> _Piece | None:
         """Take what is near to some strands; None where that is much of the print."""
         ends = strands.strands
@@ -96,15 +98,20 @@ class _Piece:
         if len(numbers) > _MOST * len(ends):
             return None
         piece = cls(strands, numbers, _near(ends, dropped, _INNER * reach_mm))
-        piece.seeming = judge(piece.strands)
+        piece.seeming = {int(numbers[one]) for one in judge(piece.strands)}
         return piece
 
-    def fallen(self, dropped: list[int], judge: Callable[[Wireframe], list[int]]) -> Ints:
+    def fallen(self, dropped: list[int], judge: Judge) -> Ints:
         """Return the numbers in the print of what falls with what is left out of it."""
         gone = np.isin(self.numbers, dropped)
         left = self.strands.beyond(np.flatnonzero(gone).tolist())
-        found = self.numbers[~gone][judge(left)]
-        return np.setdiff1d(found, self.numbers[self.seeming])
+        kept = self.numbers[~gone]
+        found = [
+            kept[numbers]
+            for one, numbers in judge(left).items()
+            if int(kept[one]) not in self.seeming
+        ]
+        return np.unique(np.concatenate([*found, np.zeros(0, np.int64)]))
 
     def holds(self, numbers: Ints) -> bool:
         """Tell whether strands are well within the piece."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -11,7 +12,7 @@ from wireprint.cascade import falling
 from wireprint.certificate import check
 from wireprint.gcode import document
 from wireprint.stages import origin_mm, toolpath
-from wireprint.verdict import Point, Span
+from wireprint.verdict import Hurried, LooseEnd, Point, Span
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -89,16 +90,17 @@ def mended(
         text = document.body(path, settings, document.dated(None))
         return check(text, settings, standing=standing)
 
-    def to_blame(piece: Wireframe) -> list[int]:
+    def to_blame(piece: Wireframe) -> dict[int, list[int]]:
         on_round()
         # G-code without a strand is nothing to judge.
-        return _blamed(piece, judged(piece), origin) if piece.strand_count else []
+        return _blamed(piece, judged(piece), origin) if piece.strand_count else {}
 
     number = 0
     while number < rounds:
         if any(found for name, found in certificate.breaches().items() if name not in _MENDED):
             return None
-        dropped = _blamed(strands, certificate, origin)
+        blamed = _blamed(strands, certificate, origin)
+        dropped = sorted({one for numbers in blamed.values() for one in numbers})
         throughout = number == 0 and len(dropped) > _MOST * strands.strand_count
         if throughout or not 0 < len(dropped) < strands.strand_count:
             return None
@@ -115,40 +117,88 @@ def mended(
     return None
 
 
-def _blamed(strands: Wireframe, certificate: Certificate, origin: Point) -> list[int]:
-    """Return the numbers of the strands that are to blame, ascending."""
-    faulty = np.array(_faulty(certificate, origin)).reshape(-1, 2, 3)
-    numbers: list[int] = np.unique(strands.holding(faulty, _RESOLVED_MM)).tolist()
-    return [number for number in numbers if number >= 0]
+def _blamed(strands: Wireframe, certificate: Certificate, origin: Point) -> dict[int, list[int]]:
+    """Return the numbers of the strands that are to blame, by the strand that breaks a rule."""
+    faulty = _faulty(certificate, origin)
+    ends = [strand for stretch in faulty for strand in stretch]
+    numbers = strands.holding(np.array(ends).reshape(-1, 2, 3), _RESOLVED_MM)
+    found: dict[int, list[int]] = {}
+    firsts = np.cumsum([0, *(len(stretch) for stretch in faulty)]).tolist()
+    for first, end in pairwise(firsts):
+        known = [number for number in numbers[first:end].tolist() if number >= 0]
+        if known:
+            found.setdefault(known[0], []).extend(known)
+    return found
 
 
-def _faulty(certificate: Certificate, origin: Point) -> list[Floats]:
-    """Return the ends of the file's strands that are to blame, mm, from the print's origin.
+def _faulty(certificate: Certificate, origin: Point) -> list[list[Floats]]:
+    """Return the ends of the strands that are to blame for each breach, mm, from the origin.
 
     A breach is put down to the strand of its line, or to the next one where the head only comes
-    to it; of a stretch that hangs too far, all strands are to blame.
+    to it; of a stretch that hangs too far, or that nothing holds at one end, all strands are to
+    blame: without the outermost of them the next would hang as it did.
     """
-    centre = np.array(origin)
     laid, lines = certificate.core.strands, certificate.core.strand_lines
-    found = []
+    loose = _Loose(certificate)
+    found: list[list[int]] = []
     for name in _MENDED:
         for breach in certificate.breaches()[name]:
             number = int(np.searchsorted(lines, breach.line))
             if number == len(laid):
                 continue
-            found += [laid[number] - centre]
+            stretch = [number]
             if isinstance(breach, Span):
-                found += [ends - centre for ends in _before(laid, number, breach.from_mm)]
-    return found
+                stretch += _before(laid, number, np.array(breach.from_mm))
+            elif name == "floating_starts":
+                stretch += loose.behind(number)
+            elif isinstance(breach, LooseEnd | Hurried):
+                stretch += loose.before(number, np.array(breach.at_mm))
+            found.append(stretch)
+    centre = np.array(origin)
+    return [[laid[number] - centre for number in stretch] for stretch in found]
 
 
-def _before(laid: Floats, number: int, held_mm: tuple[float, float, float]) -> Iterator[Floats]:
+class _Loose:
+    """The strands between an end that nothing holds and what holds the chain next."""
+
+    def __init__(self, certificate: Certificate) -> None:
+        core = certificate.core
+        #: Strands, and the pieces that chains relax to, each with the strand in which it ends.
+        self.laid = core.strands
+        self.pieces, self.owners = core.relaxed, core.relaxed_strands
+
+    def before(self, number: int, at_mm: Floats) -> Iterator[int]:
+        """Return the strands behind what holds last before a place on a strand, its end."""
+        own = self._of(number)
+        ending = own[_off(self.pieces[own], at_mm) <= _RESOLVED_MM]
+        held = self.pieces[ending[-1], 0] if len(ending) else at_mm
+        return _before(self.laid, number, held)
+
+    def behind(self, number: int) -> Iterator[int]:
+        """Return the strands before what holds first after the start of a strand."""
+        first = int(np.searchsorted(self.owners, number))
+        if first == len(self.owners):
+            return
+        last = int(self.owners[first])
+        # A strand that is held from its start on is none of them.
+        if np.array_equal(self.pieces[first, 1], self.laid[last, 0]):
+            last -= 1
+        while number < last and np.array_equal(self.laid[number, 1], self.laid[number + 1, 0]):
+            number += 1
+            yield number
+
+    def _of(self, number: int) -> npt.NDArray[np.intp]:
+        low, high = np.searchsorted(self.owners, [number, number + 1])
+        return np.arange(low, high)
+
+
+def _before(laid: Floats, number: int, held_mm: Floats) -> Iterator[int]:
     """Walk back along a chain as far as where it was held last."""
-    while number > 0 and _off(laid[number], np.array(held_mm)) > _RESOLVED_MM:
+    while number > 0 and _off(laid[number], held_mm) > _RESOLVED_MM:
         if not np.array_equal(laid[number - 1][1], laid[number][0]):
             return
         number -= 1
-        yield laid[number]
+        yield number
 
 
 def _length_mm(ends: Floats) -> float:

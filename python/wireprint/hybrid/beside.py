@@ -88,7 +88,9 @@ def _along_to_painted(samples: Samples, painted: Bools, closed: Bools) -> Floats
     lap = lengths[samples.contour[painted]]
     around = closed[samples.contour[painted]]
     there = at[painted]
-    marks = np.sort(np.concatenate([there, (there - lap)[around], (there + lap)[around]]))
+    # Three runs that are in order already.
+    laps = [there, (there - lap)[around], (there + lap)[around]]
+    marks = np.sort(np.concatenate(laps), kind="stable")
     if not len(marks):
         return np.full(len(at), np.inf)
     behind = np.searchsorted(marks, at)

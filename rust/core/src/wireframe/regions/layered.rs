@@ -95,12 +95,22 @@ impl Layered {
     /// within an odd number of the closed `rims`, are marked.
     #[must_use]
     pub fn has_flat(&self, rims: &[Vec<DVec2>], low: f64, high: f64) -> bool {
-        let level = self.flats.iter().filter(|(p, _)| (low..=high).contains(&p.z));
-        let within =
-            |p: DVec2| rims.iter().filter(|rim| polygon::contains(rim, p)).count() % 2 == 1;
-        let votes = level.filter(|(p, _)| within(p.truncate()));
-        let (marked, all) = votes.fold((0, 0), |n, (_, is)| (n.0 + i32::from(*is), n.1 + 1));
-        all > 0 && 2 * marked >= all
+        let level = || self.flats.iter().filter(|(p, _)| (low..=high).contains(&p.z));
+        let bounds = rims.iter().flatten().fold(None, |found: Option<[DVec2; 2]>, &p| {
+            let [low, high] = found.unwrap_or([p, p]);
+            Some([low.min(p), high.max(p)])
+        });
+        let Some([first, last]) = bounds else { return false };
+        let within = |p: DVec2| {
+            p.cmpge(first).all()
+                && p.cmple(last).all()
+                && rims.iter().filter(|rim| polygon::contains(rim, p)).count() % 2 == 1
+        };
+        let count =
+            |of: bool| level().filter(|(p, marked)| *marked == of && within(p.truncate())).count();
+        // Strokes mark few level faces, and without any the others need not be counted.
+        let marked = count(true);
+        marked > 0 && marked >= count(false)
     }
 
     /// Whether a strip is layers through and through.
