@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 import wireprint
 from command import run
 from wireprint import GcodeError, Settings
-from wireprint._core import Mesh, coverage, deviation
+from wireprint._core import Mesh
 from wireprint.certificate import check
 from wireprint.mesh import load_mesh
-from wireprint.rules import settings_for, terms_of
+from wireprint.rules import settings_for
 
 FIRST = 0.35
 SLAB = 4.0
@@ -226,18 +226,6 @@ def test_how_far_strands_lie_off_is_measured_where_it_is_asked_for(cube_stl):
     assert part.deviation_mm is None
     assert part.max_chord_deviation_mm is None
     assert whole.max_chord_deviation_mm >= whole.chord_deviation_mm >= 0
-
-
-def test_coverage_and_deviation_take_arrays():
-    mesh = plate()
-    strands = np.array([[[-30.0, -30, 0], [30, 30, 0]]])
-    share, area, patches = coverage(mesh, strands, terms_of(Settings.load()))
-    assert 0.08 < share < 0.1
-    assert area == pytest.approx(mesh.area)
-    assert patches
-    assert deviation(mesh, strands) == pytest.approx((0, 0), abs=1e-6)
-    with pytest.raises(wireprint.SettingError, match=r"\(N, 2, 3\)"):
-        deviation(mesh, np.zeros((2, 3, 2)))
 
 
 def test_a_strand_of_a_thousand_kilometres_takes_no_longer_to_compare(cube_stl):

@@ -40,8 +40,6 @@ __all__ = [
     "carve",
     "certify",
     "cooling_time",
-    "coverage",
-    "deviation",
     "estimate",
     "estimate_files",
     "find_relationship",
@@ -729,5 +727,3 @@ def frame(
 def growth(
     text: bytes, rules: Mapping[str, Any], modulus_mpa: float, most_work: float
 ) -> list[tuple[int, _Point, float]] | None: ...
-def coverage(mesh: Mesh, strands: npt.NDArray[np.float64], terms: _Terms) -> _Coverage: ...
-def deviation(mesh: Mesh, strands: npt.NDArray[np.float64]) -> tuple[float, float]: ...

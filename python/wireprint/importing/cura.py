@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from wireprint._core import SettingError
 from wireprint.gcode.sequence import END_NAMES, START_NAMES
@@ -14,9 +14,6 @@ from wireprint.importing.placeholders import resolved
 from wireprint.importing.reading import Config, Given
 from wireprint.importing.sequences import end_of, start_of, tell_left_out
 from wireprint.text import one_line
-
-if TYPE_CHECKING:
-    pass
 
 _FLAVORS: Final = {
     "RepRap (Marlin/Sprinter)": "marlin",

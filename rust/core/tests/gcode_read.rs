@@ -4,8 +4,9 @@
 
 use proptest::prelude::*;
 use wireprint_core::gcode::command::{Axes, CentreWords, Command};
+use wireprint_core::gcode::line::parse_line;
 use wireprint_core::gcode::number::decimal;
-use wireprint_core::gcode::reader::{Commands, parse_line, stream};
+use wireprint_core::gcode::reader::{Commands, stream};
 
 fn axes(text: &str) -> Axes {
     match parse_line(text.as_bytes()) {

@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 use numpy::ndarray::ArrayView1;
-use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{
+    Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 
-use crate::errors::ModelError;
+use crate::errors::{ModelError, SettingError};
 
 /// A read-only array of shape (N,) that takes over the vector's memory.
 pub fn vector<T: Element>(py: Python<'_>, values: Vec<T>) -> Bound<'_, PyArray1<T>> {
@@ -105,4 +107,25 @@ fn refused(name: &str, given: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
         about("dtype"),
         about("shape")
     ))
+}
+
+/// The ends of strands, mm.
+///
+/// # Errors
+/// `SettingError` for another shape than (N, 2, 3), or a coordinate that is not finite.
+pub fn ends(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
+    let shape = array.shape();
+    if shape[1..] != [2, 3] {
+        return Err(SettingError::new_err(format!(
+            "strands: float64 of shape {shape:?}; (N, 2, 3) is accepted"
+        )));
+    }
+    let values = array.as_array();
+    if values.iter().any(|v| !v.is_finite()) {
+        return Err(SettingError::new_err("strands: every coordinate must be finite"));
+    }
+    let point = |row: &numpy::ndarray::ArrayView2<'_, f64>, end: usize| {
+        DVec3::new(row[[end, 0]], row[[end, 1]], row[[end, 2]])
+    };
+    Ok(values.outer_iter().map(|row| [point(&row, 0), point(&row, 1)]).collect())
 }

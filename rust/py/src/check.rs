@@ -1,14 +1,14 @@
-//! `wireprint._core.certify`, `coverage` and `deviation`.
+//! `wireprint._core.certify`.
 
 use std::collections::{BTreeMap, HashSet};
 
 use glam::DVec3;
-use numpy::{PyArray1, PyArray3, PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use serde::Deserialize;
 use wireprint_core::check::{self, Bound as Limit, LooseEnd, Obstacle, Rules};
-use wireprint_core::fidelity::{self, Terms};
+use wireprint_core::fidelity::Terms;
 use wireprint_core::gcode::arc::Fineness;
 use wireprint_core::gcode::dialect::Dialect;
 use wireprint_core::gcode::homing::Homing;
@@ -18,6 +18,7 @@ use wireprint_core::gcode::retraction::Retraction;
 
 use crate::arrays;
 use crate::errors::{SettingError, detached};
+use crate::fidelity::{Comparison, FidelityRow, checked};
 use crate::kept::{self, Reduced};
 use crate::mesh::Mesh;
 use crate::params::Params;
@@ -244,7 +245,8 @@ impl Certificate {
     /// Compares the strands with a mesh that stands with its x = y = z = 0 at `origin_mm`.
     ///
     /// Strands with a `;TYPE:` label in `aside` count for nothing, those with one in `inside` for
-    /// coverage alone. Returns as `coverage` does, then the deviations, mean and greatest in mm,
+    /// coverage alone. Returns share, area that counts (mm²) and uncovered patches, the largest
+    /// first, then the deviations, mean and greatest in mm,
     /// of the strands as commanded and relaxed; None unless `deviation` is set.
     #[expect(clippy::too_many_arguments, reason = "arguments of a Python call")]
     fn fidelity(
@@ -257,32 +259,9 @@ impl Certificate {
         terms: Params<Terms>,
         deviation: bool,
     ) -> PyResult<FidelityRow> {
-        let terms = checked(terms)?;
+        let with = Comparison { aside, inside, terms: checked(terms)?, deviation };
         let shift = DVec3::from(origin_mm);
-        let is_in = |strand: usize, names: &HashSet<String>| {
-            let feature = self.core.strand_features.get(strand).copied().unwrap_or(0);
-            self.core.features.get(usize::from(feature)).is_some_and(|name| names.contains(name))
-        };
-        let covers = |strand: usize| !is_in(strand, &aside);
-        let shows = |strand: usize| covers(strand) && !is_in(strand, &inside);
-        Ok(py.detach(|| {
-            let strands = || self.core.strands.iter().enumerate();
-            let covering = strands().filter(|(strand, _)| covers(*strand));
-            let covering = moved(covering.map(|(_, ends)| *ends), shift);
-            let coverage = fidelity::coverage(mesh.core(), &covering, &terms);
-            if !deviation {
-                return (coverage_row(&coverage), None);
-            }
-            let commanded = strands().filter(|(strand, _)| shows(*strand));
-            let commanded = moved(commanded.map(|(_, ends)| *ends), shift);
-            let relaxed = self.core.relaxed.iter().filter(|piece| shows(piece.strand as usize));
-            let relaxed = moved(relaxed.map(|piece| piece.ends), shift);
-            let surface = fidelity::MeasuredSurface::new(mesh.core());
-            let commanded = surface.deviation(&commanded);
-            let relaxed = surface.deviation(&relaxed);
-            let deviation = [commanded, relaxed].map(|found| (found.mean, found.max));
-            (coverage_row(&coverage), Some(deviation))
-        }))
+        Ok(py.detach(|| with.of(&self.core, mesh.core(), shift)))
     }
 
     /// What the strands relax to, chords where they hang, mm, read-only float64 of shape (M, 2, 3).
@@ -296,19 +275,6 @@ impl Certificate {
     fn relaxed_strands<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
         arrays::vector(py, self.core.relaxed.iter().map(|piece| piece.strand).collect())
     }
-}
-
-/// Coverage, and deviation as commanded and relaxed.
-type FidelityRow = (CoverageRow, Option<[(f64, f64); 2]>);
-
-fn moved(strands: impl Iterator<Item = [DVec3; 2]>, by: DVec3) -> Vec<[DVec3; 2]> {
-    strands.map(|ends| ends.map(|p| p - by)).collect()
-}
-
-fn checked(Params(terms): Params<Terms>) -> PyResult<Terms> {
-    require_positive("within_mm", terms.within)?;
-    require_positive("strand_mm", terms.strand)?;
-    Ok(terms)
 }
 
 pub fn require_positive(name: &str, value: f64) -> PyResult<()> {
@@ -370,66 +336,4 @@ pub fn judging(rules: &Bound<'_, PyDict>) -> PyResult<(Reading, Rules)> {
     require_positive("bed_contact_mm", rules.bed_contact)?;
     require_positive("arc_resolution_mm", reading.arc_resolution_mm)?;
     Ok((reading, rules))
-}
-
-/// An uncovered patch: area in mm², centroid, lowest and highest coordinates in mm.
-type PatchRow = (f64, Point, Point, Point);
-
-/// Share that is covered, the area that counts in mm², and the uncovered patches.
-type CoverageRow = (f64, f64, Vec<PatchRow>);
-
-/// Share of a mesh's outer surface near a strand, the area that counts in mm², and the uncovered
-/// patches: area in mm², centroid, lowest and highest coordinates in mm; the largest first.
-///
-/// # Errors
-/// `SettingError` for a distance that is not positive, `ValueError` for malformed strands.
-#[pyfunction]
-pub fn coverage(
-    py: Python<'_>,
-    mesh: &Mesh,
-    strands: PyReadonlyArray3<'_, f64>,
-    terms: Params<Terms>,
-) -> PyResult<CoverageRow> {
-    let (terms, strands) = (checked(terms)?, ends(&strands)?);
-    let found = py.detach(|| fidelity::coverage(mesh.core(), &strands, &terms));
-    Ok(coverage_row(&found))
-}
-
-fn coverage_row(coverage: &fidelity::Coverage) -> CoverageRow {
-    let row = |patch: &fidelity::Patch| {
-        (patch.area, patch.centroid.into(), patch.low.into(), patch.high.into())
-    };
-    (coverage.share, coverage.area, coverage.uncovered.iter().map(row).collect())
-}
-
-/// Mean (by length) and greatest distance of strands from a mesh's surface, mm.
-///
-/// # Errors
-/// `ValueError` for malformed strands.
-#[pyfunction]
-pub fn deviation(
-    py: Python<'_>,
-    mesh: &Mesh,
-    strands: PyReadonlyArray3<'_, f64>,
-) -> PyResult<(f64, f64)> {
-    let strands = ends(&strands)?;
-    let found = py.detach(|| fidelity::MeasuredSurface::new(mesh.core()).deviation(&strands));
-    Ok((found.mean, found.max))
-}
-
-pub fn ends(array: &PyReadonlyArray3<'_, f64>) -> PyResult<Vec<[DVec3; 2]>> {
-    let shape = array.shape();
-    if shape[1..] != [2, 3] {
-        return Err(SettingError::new_err(format!(
-            "strands: float64 of shape {shape:?}; (N, 2, 3) is accepted"
-        )));
-    }
-    let values = array.as_array();
-    if values.iter().any(|v| !v.is_finite()) {
-        return Err(SettingError::new_err("strands: every coordinate must be finite"));
-    }
-    let point = |row: &numpy::ndarray::ArrayView2<'_, f64>, end: usize| {
-        DVec3::new(row[[end, 0]], row[[end, 1]], row[[end, 2]])
-    };
-    Ok(values.outer_iter().map(|row| [point(&row, 0), point(&row, 1)]).collect())
 }

@@ -9,8 +9,7 @@ use wireprint_core::strand::{Kind, Strand};
 use wireprint_core::toolpath as path;
 use wireprint_core::toolpath::PathParams;
 
-use crate::arrays;
-use crate::check::ends;
+use crate::arrays::{self, ends};
 use crate::errors::{ModelError, SettingError, detached, in_pool};
 use crate::params::Params;
 use crate::toolpath::Toolpath;

@@ -9,6 +9,7 @@ mod check;
 mod errors;
 mod estimate;
 mod facets;
+mod fidelity;
 mod forecast;
 mod gcode;
 mod head;
@@ -40,7 +41,7 @@ mod _core {
     #[pymodule_export]
     use super::carve::carve;
     #[pymodule_export]
-    use super::check::{Certificate, certify, coverage, deviation, modes_after};
+    use super::check::{Certificate, certify, modes_after};
     #[pymodule_export]
     use super::estimate::{Estimate, estimate, estimate_files};
     #[pymodule_export]

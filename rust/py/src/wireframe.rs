@@ -15,8 +15,8 @@ use wireprint_core::wireframe::build::{PlainPrint, build_beside, build_plain};
 use wireprint_core::wireframe::frame::Reason;
 use wireprint_core::wireframe::params::WireParams;
 
-use crate::arrays;
-use crate::check::{ends, require_positive};
+use crate::arrays::{self, ends};
+use crate::check::require_positive;
 use crate::errors::{SettingError, detached, in_pool};
 use crate::kept::{self, Reduced};
 use crate::layered::{LayeredArgs, layers};

@@ -16,7 +16,7 @@ use super::extruder::Extruder;
 use super::features::{Features, Remark};
 use super::feedrate::Feedrate;
 use super::homing::Homing;
-use super::reader::parse_line;
+use super::line::parse_line;
 use super::retraction::Retraction;
 
 const MM_PER_INCH: f64 = 25.4;

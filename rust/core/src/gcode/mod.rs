@@ -10,6 +10,7 @@ mod features;
 mod feedrate;
 pub mod fixed;
 pub mod homing;
+pub mod line;
 pub mod lines;
 pub mod machine;
 pub mod modes;

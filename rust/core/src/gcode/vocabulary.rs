@@ -288,7 +288,7 @@ pub fn name(command: &Command<'_>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gcode::reader::parse_line;
+    use crate::gcode::line::parse_line;
 
     fn effect_of(line: &str, dialect: Dialect) -> Effect {
         parse_line(line.as_bytes()).map_or(Effect::Harmless, |command| effect(&command, dialect))
