@@ -5,6 +5,8 @@ import html
 import json
 import math
 import re
+import subprocess
+import sys
 import zlib
 from itertools import pairwise
 
@@ -205,6 +207,21 @@ def test_it_is_no_part_of_the_certificate_and_says_so(cube, tmp_path):
     words = run("slice", cube, "-o", target, "--forecast").stdout
     assert "no part of the certificate" in words
     assert "  holds: " not in run("slice", cube, "-o", target).stdout
+
+
+def test_a_slice_without_a_forecast_loads_nothing_of_it(cube, tmp_path):
+    """So it takes as long as before; `benches/forecast_cost.py` measures that."""
+    code = (
+        "import sys\nfrom wireprint.cli import main\n"
+        f"main(['slice', {str(cube)!r}, '-o', {str(tmp_path / 'c.gcode')!r}, '-q'], "
+        "standalone_mode=False)\nprint(*sorted(sys.modules))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(done.stdout.split())
+    assert "wireprint.pipeline" in loaded
+    forecasts = {"forecast", "forecast_terms", "stiffening", "softness", "frames", "grip"}
+    assert not loaded & {f"wireprint.{name}" for name in forecasts}
+    assert not any(name.startswith("scipy.sparse") for name in loaded)
 
 
 def test_the_command_says_a_sentence_for_each_rule_and_what_it_does_not_know(cube, tmp_path):

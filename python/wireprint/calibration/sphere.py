@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 SPEEDS: Final = (1.0, 0.5, 1 / 6)
 PAUSES: Final = (0.3, 0.6, 1.2)
 #: Radii that are tried, in slabs of the greatest height: the largest that is quick enough.
-RADII: Final = (1.6, 1.3, 1.15, 1.0, 0.9, 0.8, 0.7)
+RADII: Final = (1.6, 1.3, 1.15, 1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 #: A sphere is cut off so far below its middle, in radii: it stands on a ring, not on a point.
 _FOOT: Final = 0.7
 #: Meridians and circles of latitude.
