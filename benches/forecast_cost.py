@@ -3,7 +3,7 @@
 python benches/forecast_cost.py
 
 Processor time of one thread (RAYON_NUM_THREADS=1 is set before the core is loaded), the best of
-some runs, in turn. Fails where a bunny of 100 mm takes more than 1 s, 20 000 strands more than 10 s,
+some runs, in turn. Fails where a bunny of 100 mm takes more than 1 s, 20 000 strands more than 10,
 or a slice more than a twentieth longer than one whose pause is a number.
 """
 

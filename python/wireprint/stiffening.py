@@ -50,6 +50,8 @@ _HIGHER_GIVES_WAY: Final = 2.5
 _LONGEST: Final = 4.0
 #: Fed more than that says: prints differ in more than the strand.
 _MARGIN: Final = 1.03
+#: Where strands make a print that is refused, those that are fed so many times as much are tried.
+_THICKER: Final = 1.5
 #: What strands may be fed, `Wire.flow`; a slow hot end slows the head for it.
 _MOST_FLOW: Final = 3.0
 #: How often what was tried is gone on with, and with how many of it; and how often what suffices is
@@ -203,6 +205,7 @@ def stiffened(
         for _ in range(_ROUNDS):
             longest_s = _longest_s(first, known)
             found = tried([way for base in bases for way in _ways(base, kept, longest_s)])
+            found += tried([way for base in bases for way in _thicker_yet(base, known)])
             bases = _promising(bases, found, _longest_s(first, known))
             if not bases:
                 break
@@ -266,6 +269,14 @@ def _ways(base: _Print, kept: frozenset[str], longest_s: float) -> Iterator[_Way
     flow = _rounded_up(min(base.wanted_flow, _MOST_FLOW))
     yield replace(base.way, flow=flow)
     yield from (way for way in lower if base.wanted_flow <= _MOST_FLOW)
+
+
+def _thicker_yet(base: _Print, known: dict[_Way, _Print | None]) -> Iterator[_Way]:
+    """Return the way on from strands that made a print which was refused: thicker ones may not."""
+    for way, made in list(known.items()):
+        was_refused = made is None and way == replace(base.way, flow=way.flow)
+        if was_refused and way.flow is not None and way.flow < _MOST_FLOW:
+            yield replace(way, flow=min(_rounded_up(_THICKER * way.flow), _MOST_FLOW))
 
 
 def _lower(base: _Print, kept: frozenset[str], longest_s: float) -> Iterator[_Way]:
