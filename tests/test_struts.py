@@ -4,10 +4,12 @@ import csv
 import io
 import json
 import random
+import re
 import zipfile
 
 import numpy as np
 import pytest
+import trimesh
 from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -566,16 +568,88 @@ def test_what_only_falls_steeply_to_its_foot_is_supported():
 
 
 def test_struts_that_no_order_has_are_named_alone():
-    """Two steep struts from one foot, each in the way of the other, beside a tower."""
-    fork = Graph([[40, 0, 0], [41, 0, 9], [39, 0, 9]], [[0, 1], [0, 2], [1, 2]])
-    beside = tower()
-    both = Graph(
-        np.concatenate([beside.nodes, fork.nodes]),
-        np.concatenate([beside.edges, fork.edges + len(beside.nodes)]),
-    )
+    both = forked()
     with pytest.raises(wireprint.UnprintableError, match="no order has them all") as refused:
         order(both, SETTINGS)
     assert str(refused.value).startswith(f"2 of {len(both)} struts cannot be printed")
+
+
+def forked():
+    """A tower; two steep struts from one foot beside it, each in the way of the other."""
+    fork = Graph([[40, 0, 0], [41, 0, 9], [39, 0, 9]], [[0, 1], [0, 2], [1, 2]])
+    beside = tower()
+    return Graph(
+        np.concatenate([beside.nodes, fork.nodes]),
+        np.concatenate([beside.edges, fork.edges + len(beside.nodes)]),
+    )
+
+
+def test_a_part_is_printed_where_all_cannot_be_and_the_rest_is_named():
+    graph = forked()
+    found = order(graph, SETTINGS, partial=True)
+    assert found.certificate.ok
+    # One leg of the fork bars the other, and what it was to hold ends in the air.
+    legs = {len(graph) - 3, len(graph) - 2, len(graph) - 1}
+    missing = {number for number, _ in found.unprinted}
+    assert missing <= legs
+    assert found.unprinted[0][1] == "locked"
+    assert len(found.graph) == len(graph) - len(missing)
+    printed = {tuple(sorted(edge)) for edge in found.graph.edges.tolist()}
+    wanted = [tuple(sorted(edge)) for edge in graph.edges.tolist()]
+    assert printed == {edge for number, edge in enumerate(wanted) if number not in missing}
+
+
+def test_where_nothing_can_be_printed_partial_says_so():
+    graph = Graph([[0, 0, 0], [9, 0, 0], [0, 0, 90], [9, 0, 90]], [[0, 2], [1, 3]])
+    with pytest.raises(wireprint.UnprintableError, match="2 of 2 struts cannot be printed"):
+        order(graph, SETTINGS, partial=True)
+
+
+def test_a_support_is_not_asked_for_twice():
+    """A bar that floats too high for its support to be straight up, among much that can stand."""
+    graph = forked()
+    high = Graph([[0, 40, 60], [9, 40, 60]], [[0, 1]])
+    both = Graph(
+        np.concatenate([graph.nodes, high.nodes]),
+        np.concatenate([graph.edges, high.edges + len(graph.nodes)]),
+    )
+    found = order(both, SETTINGS, partial=True)
+    assert found.certificate.ok
+    assert (len(graph), "floats") in found.unprinted
+
+
+def test_a_graph_is_put_on_the_side_on_which_it_can_be_printed():
+    """A cage from whose roof a swing hangs: the head cannot draw straight down."""
+    floor = [[-8, 8, 0], [8, 8, 0], [8, -8, 0], [-8, -8, 0]]
+    roof = [[x, y, 14] for x, y, _ in floor]
+    swing = [[0, 8, 14], [0, -8, 14], [0, 8, 5], [0, -8, 5]]
+    edges = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 5], [2, 6], [3, 7], [4, 8], [8, 5]]
+    edges += [[5, 6], [6, 9], [9, 7], [7, 4], [8, 10], [9, 11], [10, 11]]
+    cage = Graph([*floor, *roof, *swing], edges)
+    settings = wireprint.Settings.load("kossel-mini", "abs", overrides=LONG_NEEDLE)
+    with pytest.raises(wireprint.UnprintableError, match="--orient auto"):
+        order(cage, settings, supports=False)
+    found = order(cage, settings, supports=False, orient=True)
+    assert found.certificate.ok
+    turned = order(cage.turned(found.rotate_deg), settings, supports=False)
+    assert turned.gcode == found.gcode
+
+
+def test_turning_is_about_x_then_y_then_z_as_models_are_turned():
+    points = np.random.default_rng(3).uniform(-9, 9, (4, 3))
+    graph = Graph(points, [[0, 1], [1, 2], [2, 3]], normals=np.eye(3)).turned((20, -35, 70))
+    hull = trimesh.Trimesh(points, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
+    hull.fix_normals()
+    mesh = wireprint.Mesh.from_arrays(np.array(hull.vertices), np.array(hull.faces))
+    turned = mesh.turned((20.0, -35.0, 70.0)).vertices
+    ends = graph.nodes - graph.nodes[0]
+
+    def gaps(one):
+        return np.linalg.norm(one[:, None] - one, axis=2)
+
+    np.testing.assert_allclose(gaps(graph.nodes), gaps(points), atol=1e-9)
+    assert np.ptp(turned, axis=0) == pytest.approx(np.ptp(ends, axis=0), abs=1e-6)
+    assert np.linalg.norm(graph.normals, axis=1) == pytest.approx(1)
 
 
 def test_a_size_in_which_it_can_be_printed_is_told_and_right():
@@ -586,7 +660,7 @@ def test_a_size_in_which_it_can_be_printed_is_told_and_right():
     settings = wireprint.Settings.load("kossel-mini", "abs", overrides=LONG_NEEDLE)
     with pytest.raises(wireprint.UnprintableError, match=r"(?s)hang.*times as large") as refused:
         order(large, settings)
-    factor = float(str(refused.value).split()[-1])
+    factor = float(re.search(r"--scale, times (\S+)", str(refused.value))[1])
     assert order(large.moved((0, 0, 0), factor), settings).certificate.ok
     with pytest.raises(wireprint.UnprintableError):
         order(large.moved((0, 0, 0), 1.1), settings)

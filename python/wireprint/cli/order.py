@@ -10,6 +10,7 @@ from wireprint import files
 from wireprint.cli.amounts import Amount
 from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
+from wireprint.cli.placement import orient_option
 from wireprint.cli.say import say, say_json
 from wireprint.streams import STREAM
 
@@ -39,6 +40,21 @@ _FRAMES: Final = (".csv", ".json")
     help="Frames for robots, too: position, tool axis, speed, extruder; .csv or .json.",
 )
 @click.option("--scale", type=Amount(min=0, min_open=True), default=1.0, help="Factor.")
+@click.option(
+    "--rotate",
+    "rotate_deg",
+    type=float,
+    nargs=3,
+    default=(0.0, 0.0, 0.0),
+    metavar="X Y Z",
+    help="Degrees about x, then y, then z.",
+)
+@orient_option
+@click.option(
+    "--partial",
+    is_flag=True,
+    help="Leave out what cannot be printed, as little as is found, and name it.",
+)
 @settings_options
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 def order(
@@ -47,6 +63,9 @@ def order(
     graph_out: str | None,
     frames_out: str | None,
     scale: float,
+    rotate_deg: tuple[float, float, float],
+    orient: bool,
+    partial: bool,
     as_json: bool,
     **options: Any,
 ) -> None:
@@ -54,7 +73,8 @@ def order(
 
     GRAPH is made of struts: lines of OBJ, PLY or glTF, a graph of COMPAS (JSON), or the beam
     lattice of a 3MF file. Parts that nothing leads to from the bed get an upright support, unless
-    --supports none is given; what cannot be printed is named, and nothing is written.
+    --supports none is given; what cannot be printed is named, and nothing is written, unless
+    --partial is given. With --orient auto, it is put on the side on which it prints best.
     """
     chosen = chosen_from(options)
     inputs = [graph, *chosen.files]
@@ -69,11 +89,19 @@ def order(
     from wireprint.struts import read_struts, struts_as
     from wireprint.struts.frames import as_csv
     from wireprint.struts.frames import as_json as frames_json
+    from wireprint.struts.words import refusal
 
     settings = chosen.settings()
     with_supports = settings.wire.supports == "wire"
-    struts = read_struts(graph).moved((0.0, 0.0, 0.0), scale)
-    found = ordered(struts, settings, supports=with_supports, date=dated(graph))
+    struts = read_struts(graph).moved((0.0, 0.0, 0.0), scale).turned(rotate_deg)
+    found = ordered(
+        struts,
+        settings,
+        supports=with_supports,
+        partial=partial,
+        orient=orient,
+        date=dated(graph),
+    )
     target.write(found.gcode)
     if others[0] is not None:
         suffix = str(others[0]).rpartition(".")[2].lower()
@@ -88,6 +116,11 @@ def order(
         "printer": settings.printer.name,
         "struts": len(found.graph),
         "supports": list(found.supports),
+        "unprinted": [
+            {"strut": number, "nodes": struts.edges[number].tolist(), "reason": why}
+            for number, why in found.unprinted
+        ],
+        "rotate_deg": list(found.rotate_deg) if orient else None,
         "floating": int(found.floating.sum()),
         "print_time_s": found.print_time_s,
         "certified": found.certificate.ok,
@@ -100,6 +133,12 @@ def order(
         f"{figures['struts']} struts, {figures['floating']} of them to a free end: certified",
         err=to_stderr,
     )
+    if orient:
+        x, y, z = found.rotate_deg
+        say(f"  turned      {x:g}, {y:g}, {z:g} degrees about x, y, z", err=to_stderr)
+    if found.unprinted:
+        for line in refusal(struts, found.unprinted).splitlines():
+            say(f"  unprinted   {line}", err=to_stderr)
     for number in found.supports:
         x, y, z = found.graph.ends[number, 1]
         say(f"  support     strut {number}, to ({x:.1f}, {y:.1f}, {z:.1f})", err=to_stderr)

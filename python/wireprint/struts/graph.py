@@ -169,6 +169,31 @@ class Graph:
         nodes = self.nodes * scale + np.asarray(by_mm, np.float64)
         return Graph(nodes, self.edges, self.radius_mm * scale, self.time_s, self.normals)
 
+    def turned(self, rotate_deg: tuple[float, float, float]) -> Graph:
+        """Turn it about the origin: about x, then y, then z.
+
+        Parameters
+        ----------
+        rotate_deg
+            Angles, degrees.
+
+        Returns
+        -------
+        Graph
+            With the same struts; normals are turned, too.
+        """
+        if not any(rotate_deg):
+            return self
+        turn = np.eye(3)
+        for axis, angle in enumerate(np.radians(rotate_deg)):
+            one = np.eye(3)
+            a, b = (axis + 1) % 3, (axis + 2) % 3
+            one[[a, b], [a, b]] = np.cos(angle)
+            one[b, a], one[a, b] = np.sin(angle), -np.sin(angle)
+            turn = one @ turn
+        nodes, normals = self.nodes @ turn.T, self.normals @ turn.T
+        return Graph(nodes, self.edges, self.radius_mm, self.time_s, normals)
+
     def degrees(self) -> Ints:
         """Count the struts at each node.
 

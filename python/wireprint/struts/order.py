@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
@@ -14,8 +13,7 @@ from wireprint.certificate import check
 from wireprint.gcode import document, file
 from wireprint.stages import path_params
 from wireprint.struts.graph import Graph
-from wireprint.struts.knees import forms
-from wireprint.struts.supports import supported
+from wireprint.struts.search import SUPPORT, search
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -23,31 +21,24 @@ if TYPE_CHECKING:
     from wireprint._core import Toolpath
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
-    from wireprint.struts.knees import Forms
 
-#: Struts that are printed on trial at most, by their number; those taken back count again.
-_MOST_STEPS: Final = 20
-#: Struts that are named of those that cannot be printed; of more, their number.
-_NAMED: Final = 8
+Angles = tuple[float, float, float]
+
+_GIVEN: Final[Angles] = (0.0, 0.0, 0.0)
+#: The sides on which a graph may lie, as turns about x, then y, then z, degrees.
+_SIDES: Final[tuple[Angles, ...]] = (
+    _GIVEN,
+    (180.0, 0.0, 0.0),
+    (90.0, 0.0, 0.0),
+    (-90.0, 0.0, 0.0),
+    (0.0, 90.0, 0.0),
+    (0.0, -90.0, 0.0),
+)
 #: Struts that are tested against each other; of more that would take minutes.
 MOST_STRUTS: Final = 20_000
 #: Other sizes that are tried of what cannot be printed, and of how many struts at most.
 _SIZES: Final = (0.9, 1.12, 0.8, 1.25, 0.7, 1.4, 0.6, 0.5)
 _MOST_RESIZED: Final = 500
-#: Reasons that a support may help against.
-_SUPPORTED: Final = ("floats", "from_above")
-_WHY: Final = {
-    "floats": "nothing leads to it from the bed",
-    "too_long": "it is longer than what may hang (wire.span_limit_mm)",
-    "too_steep": "it can only be drawn downwards, more steeply than the head allows",
-    "from_above": "only what falls more steeply than the head can draw leads there; support their "
-    "lower ends",
-    "locked": "no order has them all: whichever came last, the head would run into the others",
-    "hangs": "too much would hang from a free end in any order that was tried "
-    "(wire.free_end_limit_mm); make it smaller with --scale, or support it",
-    "barred": "the head would run into others in any order that was tried",
-    "waits": "what they begin at is not printed",
-}
 
 
 @dataclass(frozen=True)
@@ -60,6 +51,10 @@ class OrderedGraph:
     floating: Any
     #: Supports that were added: numbers in `graph`.
     supports: tuple[int, ...]
+    #: Struts of the given graph that are not printed, each with why: keys of `words.WHY`.
+    unprinted: tuple[tuple[int, str], ...]
+    #: By how much the given graph was turned about x, then y, then z, degrees.
+    rotate_deg: Angles
     toolpath: Toolpath
     #: The file.
     gcode: bytes
@@ -71,6 +66,7 @@ class OrderedGraph:
     def __repr__(self) -> str:
         """Say what it comes to."""
         verdict = "certified" if self.certificate.ok else "not certified"
+        verdict += f", {len(self.unprinted)} not printed" if self.unprinted else ""
         return f"<OrderedGraph {len(self.graph)} struts, {self.print_time_s:.0f} s, {verdict}>"
 
 
@@ -79,6 +75,8 @@ def order(
     settings: Settings,
     *,
     supports: bool = True,
+    partial: bool = False,
+    orient: bool = False,
     date: datetime | None = None,
 ) -> OrderedGraph:
     """Find an order and directions in which every strut can be printed, and print them so.
@@ -92,6 +90,11 @@ def order(
     supports
         Whether parts that nothing leads to, or only what falls too steeply, get a strut to their
         lowest node, where it is short enough; else they are refused.
+    partial
+        Whether struts that cannot be printed are left out; as few as are found.
+    orient
+        Whether it is also put on each of its other five sides: the one counts on which the most is
+        printed, then with the fewest supports, then with the fewest free ends, then soonest.
     date
         Written into the file.
 
@@ -114,38 +117,46 @@ def order(
     """
     if len(graph) > MOST_STRUTS:
         raise UnprintableError(f"{len(graph)} struts; {MOST_STRUTS} are ordered at most")
-    try:
-        return _ordered(graph, settings, supports, date)
-    except UnprintableError as error:
-        said = f"{error}{_way_out(graph, settings, supports)}"
-    raise UnprintableError(said)
+    sides = _SIDES if orient else (_GIVEN,)
+    done, refused = [], None
+    for side in sides:
+        try:
+            done.append(_ordered(graph, settings, supports, partial, side, date))
+        except UnprintableError as error:
+            refused = refused or error
+    if done:
+        return min(done, key=_merit)
+    ways = "" if partial else _way_out(graph, settings, supports)
+    raise UnprintableError(f"{refused}{ways}{_hint(partial, orient)}")
+
+
+def _merit(found: OrderedGraph) -> tuple[float, ...]:
+    """Return what tells the better of two: the less."""
+    floating = int(found.floating.sum())
+    return (len(found.unprinted), len(found.supports), floating, found.print_time_s)
+
+
+def _hint(partial: bool, orient: bool) -> str:
+    hints = ["--orient auto also tries its other sides"] * (not orient)
+    hints += ["--partial prints what can be, and names the rest"] * (not partial)
+    return f"\n{'; '.join(hints)}" if hints else ""
 
 
 def _ordered(
-    graph: Graph, settings: Settings, supports: bool, date: datetime | None = None
+    graph: Graph,
+    settings: Settings,
+    supports: bool,
+    partial: bool = False,
+    rotate_deg: Angles = _GIVEN,
+    date: datetime | None = None,
 ) -> OrderedGraph:
-    placed = _placed(graph, settings)
-    shapes, found, left = _found(placed, settings)
-    # What is supported may lead on to what is not yet: again, as long as it helps.
-    while supports and left and all(why in _SUPPORTED for _, why in left):
-        hopeless = np.array([number for number, _ in left])
-        more = supported(placed, hopeless, settings.wire.free_end_limit_mm)
-        if len(more) == len(placed):
-            break
-        placed = more
-        shapes, found, left = _found(placed, settings)
-    if left:
-        raise UnprintableError(_refusal(placed, left))
-    form, reversed_, floating = (np.array(column) for column in zip(*found, strict=True))
+    placed = _placed(graph.turned(rotate_deg), settings)
+    found = search(placed, settings, supports=supports, partial=partial)
+    placed, shapes = found.graph, found.shapes
+    form, reversed_, floating = (np.array(column) for column in zip(*found.strokes, strict=True))
     floating.setflags(write=False)
     which = shapes.strut[form]
     ordered = placed.chosen(which, reversed_)
-    loose = _loose(ordered, floating)
-    if loose:
-        raise UnprintableError(
-            f"{len(loose)} struts end in the air, and nothing meets them: {_told(ordered, loose)}; "
-            "join their ends, or leave them out"
-        )
     pieces = shapes.pieces(placed, form, reversed_)
     params = path_params(settings) | {"skirt_rings": 0, "brim_rings": 0}
     # The head dwells at knees, too: a piece that rises to one ends in the air.
@@ -159,29 +170,15 @@ def _ordered(
     return OrderedGraph(
         replace(ordered, time_s=times[pieces.first()]),
         floating,
-        tuple(int(place) for place in np.flatnonzero(which >= len(graph))),
+        tuple(int(place) for place in np.flatnonzero(found.numbers[which] == SUPPORT)),
+        found.left,
+        rotate_deg,
         path,
         gcode,
         certificate,
         estimate.total_s,
         settings,
     )
-
-
-def _found(
-    graph: Graph, settings: Settings
-) -> tuple[Forms, list[tuple[int, bool, bool]], list[tuple[int, str]]]:
-    """Search for an order; return the forms, what is found, and what is left with why."""
-    shapes = forms(graph, settings)
-    found, left = _core.order_lattice(
-        graph.nodes,
-        graph.edges.tolist(),
-        shapes.strut.tolist(),
-        shapes.knees,
-        settings.printer.head.model_dump(),
-        _rules(settings, len(graph)),
-    )
-    return shapes, found, left
 
 
 def _first(certificate: Certificate) -> str:
@@ -198,32 +195,6 @@ def _placed(graph: Graph, settings: Settings) -> Graph:
     return graph.moved((-middle[0], -middle[1], settings.first_layer_height_mm - low[2]))
 
 
-def _bed_mm(settings: Settings) -> float:
-    """Height up to which a node lies on the bed, mm."""
-    return settings.first_layer_height_mm + 0.25 * settings.strand_mm
-
-
-def _rules(settings: Settings, struts: int) -> dict[str, object]:
-    wire = settings.wire
-    return {
-        "strand_mm": settings.strand_mm,
-        "bed_mm": _bed_mm(settings),
-        "span_limit_mm": wire.span_limit_mm,
-        "free_end_limit_mm": wire.free_end_limit_mm,
-        "most_steps": _MOST_STEPS * max(struts, 100),
-    }
-
-
-def _loose(graph: Graph, floating: Any) -> list[int]:
-    """Return the struts whose free end nothing meets."""
-    degrees = graph.degrees()
-    return [
-        number
-        for number, floats in enumerate(floating)
-        if floats and degrees[graph.edges[number, 1]] == 1
-    ]
-
-
 def _way_out(graph: Graph, settings: Settings, supports: bool) -> str:
     """Return the words for a size near its own in which all of it is printed; empty: none is found.
 
@@ -238,27 +209,6 @@ def _way_out(graph: Graph, settings: Settings, supports: bool) -> str:
             continue
         return f"\n{factor:g} times as large, all of it can be printed: --scale, times {factor:g}"
     return ""
-
-
-def _refusal(graph: Graph, left: list[tuple[int, str]]) -> str:
-    counts = Counter(why for _, why in left)
-    lines = [f"{len(left)} of {len(graph)} struts cannot be printed"]
-    for why in (why for why in _WHY if counts[why]):
-        numbers = [number for number, reason in left if reason == why]
-        lines.append(f"{counts[why]}: {_WHY[why]}: {_told(graph, numbers)}")
-    if counts["barred"]:
-        lines.append("a slimmer head reaches deeper: head.slant_deg, head.cone_height_mm")
-    return "\n".join(lines)
-
-
-def _told(graph: Graph, numbers: list[int]) -> str:
-    def one(number: int) -> str:
-        (a, b), (low, high) = graph.edges[number], graph.ends[number]
-        ends = " to ".join(f"({x:.1f}, {y:.1f}, {z:.1f})" for x, y, z in (low, high))
-        return f"{a}-{b} {ends}"
-
-    more = f", and {len(numbers) - _NAMED} more" if len(numbers) > _NAMED else ""
-    return ", ".join(one(number) for number in numbers[:_NAMED]) + more
 
 
 def _times(ends: Any, certificate: Certificate, gcode: bytes, settings: Settings) -> Any:

@@ -10,34 +10,99 @@
 use super::bars::Bars;
 use super::{Lattice, Stroke};
 
-/// The struts among those that do not stand yet of which none can come last, ascending.
-///
-/// `open` tells whether the head can draw a stroke past all that stands; `barring` counts by stroke the
-/// struts that do not stand yet and bar it in whichever form.
-pub fn locked(
-    lattice: &Lattice,
-    bars: &Bars,
-    printed: &[bool],
-    barring: &[u32],
-    open: impl Fn(Stroke) -> bool,
-) -> Vec<u32> {
-    let mut barring = barring.to_vec();
-    let mut taken = printed.to_vec();
-    let is_free = |barring: &[u32], stroke: Stroke| barring[stroke.index()] == 0 && open(stroke);
-    let mut free: Vec<u32> = (0..lattice.len() as u32)
-        .filter(|&strut| !taken[strut as usize])
-        .filter(|&strut| lattice.strokes_of(strut).any(|stroke| is_free(&barring, stroke)))
-        .collect();
-    free.iter().for_each(|&strut| taken[strut as usize] = true);
-    while let Some(strut) = free.pop() {
-        for &stroke in bars.of_strut(strut) {
-            barring[stroke.index()] -= 1;
-            let other = lattice.strut(stroke);
-            if !taken[other as usize] && is_free(&barring, stroke) {
-                taken[other as usize] = true;
-                free.push(other);
+/// What does not stand yet, taken apart from the end.
+#[derive(Clone)]
+pub struct Rest<'a> {
+    lattice: &'a Lattice,
+    bars: &'a Bars,
+    /// By stroke: whether the head can draw it past all that stands.
+    open: Vec<bool>,
+    /// By stroke: struts that are left and bar it in whichever form.
+    barring: Vec<u32>,
+    /// By strut: whether it stands, or was taken away.
+    taken: Vec<bool>,
+    /// Struts that were taken away, and still count in `barring`.
+    away: Vec<u32>,
+}
+
+impl<'a> Rest<'a> {
+    /// All that is not printed, taken apart as far as that goes.
+    ///
+    /// `open` tells whether the head can draw a stroke past all that stands; `barring` counts by stroke
+    /// the struts that do not stand yet and bar it in whichever form.
+    pub fn of(
+        lattice: &'a Lattice,
+        bars: &'a Bars,
+        printed: &[bool],
+        barring: &[u32],
+        open: impl Fn(Stroke) -> bool,
+    ) -> Self {
+        let strokes = (0..lattice.len() as u32).flat_map(|strut| lattice.strokes_of(strut));
+        let open = strokes.map(open).collect();
+        let (barring, taken) = (barring.to_vec(), printed.to_vec());
+        let mut rest = Self { lattice, bars, open, barring, taken, away: Vec::new() };
+        let is_free = |&strut: &u32| {
+            !printed[strut as usize] && lattice.strokes_of(strut).any(|stroke| rest.is_free(stroke))
+        };
+        let free: Vec<u32> = (0..lattice.len() as u32).filter(is_free).collect();
+        free.into_iter().for_each(|strut| rest.take(strut));
+        rest.take_apart();
+        rest
+    }
+
+    /// The struts of which none can come last, ascending.
+    pub fn locked(&self) -> Vec<u32> {
+        (0..self.lattice.len() as u32).filter(|&strut| !self.taken[strut as usize]).collect()
+    }
+
+    /// As few of the locked struts as are found, ascending, without which the others are not locked: what
+    /// bars most strokes of the others goes first, and what need not have gone comes back.
+    pub fn too_many(&self) -> Vec<u32> {
+        let mut rest = self.clone();
+        let mut gone = Vec::new();
+        loop {
+            let locked = rest.locked();
+            let bars = |&strut: &u32| {
+                let of_left = |&&stroke: &&Stroke| !rest.taken[self.lattice.strut(stroke) as usize];
+                let count = self.bars.of_strut(strut).iter().filter(of_left).count();
+                (count, std::cmp::Reverse(strut))
+            };
+            let Some(worst) = locked.into_iter().max_by_key(bars) else { break };
+            gone.push(worst);
+            rest.take(worst);
+            rest.take_apart();
+        }
+        for strut in gone.clone() {
+            let others: Vec<u32> = gone.iter().copied().filter(|&other| other != strut).collect();
+            let mut rest = self.clone();
+            others.iter().for_each(|&other| rest.take(other));
+            rest.take_apart();
+            if rest.locked().is_empty() {
+                gone = others;
+            }
+        }
+        gone.sort_unstable();
+        gone
+    }
+
+    fn is_free(&self, stroke: Stroke) -> bool {
+        self.barring[stroke.index()] == 0 && self.open[stroke.index()]
+    }
+
+    fn take(&mut self, strut: u32) {
+        self.taken[strut as usize] = true;
+        self.away.push(strut);
+    }
+
+    fn take_apart(&mut self) {
+        while let Some(strut) = self.away.pop() {
+            for &stroke in self.bars.of_strut(strut) {
+                self.barring[stroke.index()] -= 1;
+                let other = self.lattice.strut(stroke);
+                if !self.taken[other as usize] && self.is_free(stroke) {
+                    self.take(other);
+                }
             }
         }
     }
-    (0..lattice.len() as u32).filter(|&strut| !taken[strut as usize]).collect()
 }

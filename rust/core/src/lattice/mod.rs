@@ -167,6 +167,8 @@ pub struct Rules {
     pub free_end: f64,
     /// Struts that are printed on trial at most, those taken back included.
     pub most_steps: usize,
+    /// Whether a part of the lattice is wanted where all of it cannot be printed.
+    pub partial: bool,
 }
 
 /// A stroke in the order of printing.

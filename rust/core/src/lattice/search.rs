@@ -17,14 +17,16 @@ const ROUNDS: usize = 24;
 const BACK: usize = 1;
 
 /// Finds an order in which every strut can be printed, or as many as can be found; none where it is
-/// proven beforehand that some cannot.
+/// proven beforehand that some cannot. Of those that are locked, all are named or, where a part of the
+/// lattice is wanted, as few as must be left out.
 ///
 /// The same lattice gives the same order.
 #[must_use]
 pub fn order(lattice: &Lattice, head: &Head, rules: &Rules) -> Ordered {
     let bars = Bars::of(lattice, head, rules);
     let nothing = State::new(lattice, rules, &bars);
-    let locked = nothing.locked();
+    let rest = nothing.rest();
+    let locked = if rules.partial { rest.too_many() } else { rest.locked() };
     if !locked.is_empty() {
         let left = locked.into_iter().map(|strut| (strut, Why::Locked)).collect();
         return Ordered { strokes: Vec::new(), left };

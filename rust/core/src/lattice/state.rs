@@ -1,7 +1,7 @@
 //! What stands while a search goes on, what holds, what hangs, and what is barred.
 
 use super::bars::Bars;
-use super::lock::locked;
+use super::lock::Rest;
 use super::{Laid, Lattice, Rules, Stroke};
 
 /// Struts that stand, and what follows from them.
@@ -118,17 +118,17 @@ impl<'a> State<'a> {
             other != own && !self.printed[other as usize] && self.is_open(barred)
         });
         self.print(laid);
-        if bars_more && (!self.locked().is_empty() || !self.stranded().is_empty()) {
+        if bars_more && (!self.rest().locked().is_empty() || !self.stranded().is_empty()) {
             self.take_back();
             return false;
         }
         true
     }
 
-    /// The struts of those that do not stand yet that can never be printed all.
-    pub fn locked(&self) -> Vec<u32> {
+    /// The struts that do not stand yet, taken apart from the end.
+    pub fn rest(&self) -> Rest<'a> {
         let open = |stroke| self.is_open(stroke);
-        locked(self.lattice, self.bars, &self.printed, &self.barring, open)
+        Rest::of(self.lattice, self.bars, &self.printed, &self.barring, open)
     }
 
     fn print(&mut self, laid: Laid) {

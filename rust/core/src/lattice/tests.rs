@@ -7,7 +7,7 @@ fn head() -> Head {
 }
 
 fn rules() -> Rules {
-    Rules { strand: 0.7, bed: 0.4, span: 65.0, free_end: 20.0, most_steps: 100_000 }
+    Rules { strand: 0.7, bed: 0.4, span: 65.0, free_end: 20.0, most_steps: 100_000, partial: false }
 }
 
 /// A lattice whose struts are all straight.
@@ -83,6 +83,11 @@ fn struts_that_bar_each_other_are_proven_to_whatever_else_there_is() {
     let locked: Vec<u32> = found.left.iter().map(|&(strut, _)| strut).collect();
     assert_eq!(locked, [0, 1], "{found:?}");
     assert!(found.left.iter().all(|&(_, why)| why == Why::Locked));
+    // Where a part is wanted, one of them is enough to leave out, and the rest can be printed.
+    let partial = Rules { partial: true, ..rules() };
+    assert_eq!(order(&both, &head(), &partial).left, [(0, Why::Locked)]);
+    let rest = lattice(&nodes, &[[0, 2], [1, 2], [3, 4]]);
+    assert_eq!(order(&rest, &head(), &partial).left, []);
     // In no order of the four, in whichever directions, does each keep clear of those before it.
     let squash = Strokes::new(&head(), 0.7).squash();
     let keeps = |order: &[(u32, bool)]| {
