@@ -42,7 +42,7 @@ class Use:
 
     def __init__(self, talk, model, seed):
         self.talk, self.model, self.random = talk, model, random.Random(seed)
-        #: Seconds that each deed took, strokes alone.
+        #: Seconds of the processor that each stroke took.
         self.strokes_s = []
 
     def deed(self):
@@ -50,8 +50,10 @@ class Use:
         kinds = list(_DEEDS)
         name = self.random.choices(kinds, [_DEEDS[kind] for kind in kinds])[0]
         getattr(self, f"_{name}")()
-        # A page is told events and forgets them.
-        del self.talk.told[:-40]
+        # A page is told events and forgets all but the newest of each kind.
+        known = len(self.talk.told)
+        newest = {name: (name, event) for name, event in self.talk.told[:known]}
+        self.talk.told[:known] = newest.values()
 
     def _marked(self):
         return [item["number"] for item in self.talk.wait("state")[0]["items"]]
@@ -59,9 +61,9 @@ class Use:
     def _paint(self):
         shape = flank(self.random.uniform(6, 22), self.random.uniform(2, 5))
         mark = {"shape": shape, "erase": self.random.random() < 0.2}
-        begin = time.perf_counter()
+        begin = time.process_time()
         self.talk.edit("mark", mark=mark)
-        self.strokes_s.append(time.perf_counter() - begin)
+        self.strokes_s.append(time.process_time() - begin)
         # Not more than a user would keep.
         if len(self._marked()) > 6:
             self._delete()

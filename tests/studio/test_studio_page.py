@@ -1,6 +1,7 @@
 """The window in a browser: it paints, plays, sets, exports, and can be used by all."""
 
 import io
+import itertools
 import os
 from pathlib import Path
 
@@ -412,6 +413,26 @@ def test_axe_finds_nothing_serious(window, scheme):
         if one["impact"] in ("serious", "critical")
     ]
     assert serious == []
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 780), (780, 390)])
+def test_all_of_the_model_and_the_tools_stay_in_view_when_a_window_is_made_small(
+    page, width, height
+):
+    page.set_viewport_size({"width": width, "height": height})
+    canvas = "document.querySelector('canvas')"
+    aspect = f"{canvas}.clientWidth / {canvas}.clientHeight"
+    until(page, f"innerWidth === {width} && studio.view.camera.aspect === {aspect}")
+    settled(page)
+    stage = page.locator("canvas").bounding_box()
+    for corner in itertools.product((-14, 14), (-14, 14), (0, 28)):
+        x, y = on_canvas(page, *corner)
+        assert stage["x"] < x < stage["x"] + stage["width"]
+        assert stage["y"] < y < stage["y"] + stage["height"]
+    for tool in page.locator(".tool").all():
+        tool.scroll_into_view_if_needed()
+        assert tool.is_visible()
+    assert page.evaluate("document.documentElement.scrollWidth") == width
 
 
 def test_on_a_phone_the_panel_is_a_drawer(window):

@@ -198,8 +198,12 @@ export class View {
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !height) return;
+    const before = this.distance();
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    // What a wide window shows from side to side, a narrow one shows from farther away.
+    const { position } = this.camera;
+    position.sub(this.controls.target).multiplyScalar(this.distance() / before).add(this.controls.target);
     this.redraw();
   }
 

@@ -11,7 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final, TypeVar
 
 from wireprint._core import SettingError, WireprintError
-from wireprint.window import telling
+from wireprint.window import heap, telling
 from wireprint.window.answer import encoded
 from wireprint.window.history import History
 from wireprint.window.outputs import Printed
@@ -255,6 +255,7 @@ class Workshop:
         self._keep(printed)
         self._finish(revision)
         printing.prepare()
+        heap.give_back()
 
     def _stages(self, revision: int) -> Callable[[str], None]:
         """Return what is called before each stage: it gives up, or says what people wait for."""
