@@ -193,6 +193,18 @@ def test_supports_carry_plates_that_are_wider_than_a_span(parts):
         assert not (away < -SETTINGS.strand_mm).all(axis=1).any()
 
 
+def test_decks_are_laid_closer_where_layers_begin_beside_their_strands():
+    """Layers that keep half a line and more from the model's outline, as perimeters do."""
+    _, mesh = boxes((0, 0, 10, 10, 0, 12), (0, 0, 90, 80, 12, 14))
+    layers = Layers().plate(0, 0, 10, 10, 0.0, 12.0).plate(0, 0, 87, 77, 12.0, 14.0).text()
+    found = splice(mesh, layers, SETTINGS, supports=True)
+    assert found.certificate.ok, found.certificate
+    assert found.settings.wire.cap_spacing_mm < SETTINGS.wire.cap_spacing_mm
+    # The file tells what it was made with.
+    told = wireprint.check(found.gcode)
+    assert told.ok
+
+
 def test_a_model_that_needs_no_supports_is_told_so():
     layers = Layers().plate(0, 0, 30, 30, 0.0, 2.0).text()
     with pytest.raises(wireprint.UnprintableError, match="needs no supports"):
