@@ -151,7 +151,10 @@ fn crests_are_level_lines_along_which_the_surface_turns() {
     let found = |section: &[(f64, f64)], least| -> Vec<(f64, bool, f64)> {
         let mesh = bar(7.0, section);
         assert!(mesh.volume().abs() > 1.0);
-        crests(&mesh, least, 4.0).iter().map(|c| (c.z, c.falls, c.length(|_| true))).collect()
+        crests(&mesh, least, 4.0, 0.5)
+            .iter()
+            .map(|c| (c.z(), c.falls, c.length(|_| true)))
+            .collect()
     };
     // A keel and a ridge; a valley above and a crown below, between edges; steep ones; a level top.
     let diamond = [(0.0, 0.0), (4.0, 1.0), (0.0, 2.0), (-4.0, 1.0)];

@@ -14,35 +14,76 @@ use crate::mesh::{Mesh, NO_FACE};
 /// Faces steeper than this (cosine of the normal's angle from the vertical) are told by their corners
 /// alone.
 const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Lines that rise by more than this part of their length are not level: a degree.
-const RISE: f64 = 0.017;
+/// Lines that rise by no more than this part of their length, a degree, are as good as level, …
+const LEVEL: f64 = 0.017;
+/// … and those that rise by more than this one, 3.4 degrees, no crests: contours beside them end so close
+/// behind each other that nothing is bare between their ends.
+const RISE: f64 = 0.06;
 
 /// All crests at one height that turn the same way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Crest {
-    /// Height, mm.
-    pub z: f64,
+    /// Lowest point, mm.
+    pub low: f64,
+    /// Highest point, mm.
+    pub high: f64,
     /// Whether the surface falls on both sides, or rises.
     pub falls: bool,
+    /// Whether it is a part of one that rises along its length.
+    pub rises: bool,
     /// The lines in plan, mm.
     pub lines: Vec<[DVec2; 2]>,
 }
 
 impl Crest {
+    /// Height of its middle, mm.
+    pub fn z(&self) -> f64 {
+        0.5 * (self.low + self.high)
+    }
+
     /// Length of the lines that a test picks out by their middles, mm.
     pub fn length(&self, picked: impl Fn(DVec2) -> bool) -> f64 {
         let picked = self.lines.iter().filter(|[a, b]| picked(a.midpoint(*b)));
         picked.map(|[a, b]| a.distance(*b)).sum()
     }
+
+    fn add(&mut self, [a, b]: [DVec3; 2]) {
+        self.low = self.low.min(a.z).min(b.z);
+        self.high = self.high.max(a.z).max(b.z);
+        self.lines.push([a.truncate(), b.truncate()]);
+    }
 }
 
-/// The crests of a mesh of at least `least` mm in sum, ascending.
+/// Crests while they are gathered: those that are level by their height, and of those that rise what
+/// lies within one step. Ordered, so that the outcome is too.
+struct Gathered {
+    step: f64,
+    found: BTreeMap<(i64, bool, bool), Crest>,
+}
+
+impl Gathered {
+    fn add(&mut self, [a, b]: [DVec3; 2], falls: bool) {
+        let rise = (b.z - a.z).abs();
+        let rises = rise > self.step || rise > LEVEL * a.distance(b);
+        let (parts, unit) =
+            if rises { ((rise / self.step).ceil(), self.step) } else { (1.0, FLAT_STEP) };
+        for part in 0..parts as usize {
+            let [from, to] = [part, part + 1].map(|i| a.lerp(b, i as f64 / parts));
+            let place = (0.5 * (from.z + to.z) / unit).round() as i64;
+            let (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
+            let none = Crest { low, high, falls, rises, lines: Vec::new() };
+            self.found.entry((place, rises, falls)).or_insert(none).add([from, to]);
+        }
+    }
+}
+
+/// The crests of a mesh of at least `least` mm in sum, ascending; those that rise in parts of no more
+/// than `step` mm.
 ///
 /// Rounds so fine that a face is as good as level are followed over `reach` mm to either side.
 #[must_use]
-pub fn crests(mesh: &Mesh, least: f64, reach: f64) -> Vec<Crest> {
-    // By rounded height; ordered, so that the outcome is too.
-    let mut by_height: BTreeMap<(i64, bool), Crest> = BTreeMap::new();
+pub fn crests(mesh: &Mesh, least: f64, reach: f64, step: f64) -> Vec<Crest> {
+    let mut gathered = Gathered { step, found: BTreeMap::new() };
     for (face, neighbours) in mesh.neighbours.iter().enumerate() {
         let corners = mesh.corners(face);
         for (side, &beyond) in neighbours.iter().enumerate() {
@@ -53,32 +94,34 @@ pub fn crests(mesh: &Mesh, least: f64, reach: f64) -> Vec<Crest> {
                 continue;
             }
             let middle = a.midpoint(b);
-            let z = middle.z;
             let across = (b - a).truncate().perp().normalize_or_zero();
             let third = corners[(side + 2) % 3].truncate() - middle.truncate();
             let away = if across.dot(third) < 0.0 { -across } else { across };
             let sides = [(face, away), (beyond as usize, -away)];
             let turns = sides.map(|(face, away)| falls(mesh, [a, b], away, face, reach));
-            let [Some(falls), Some(other)] = turns else { continue };
-            if falls == other {
-                let key = ((z / FLAT_STEP).round() as i64, falls);
-                let none = Crest { z, falls, lines: Vec::new() };
-                let crest = by_height.entry(key).or_insert(none);
-                crest.lines.push([a.truncate(), b.truncate()]);
+            if let [Some(falls), Some(other)] = turns
+                && falls == other
+            {
+                gathered.add([a, b], falls);
             }
         }
     }
-    by_height.into_values().filter(|crest| crest.length(|_| true) >= least).collect()
+    let mut found: Vec<Crest> =
+        gathered.found.into_values().filter(|crest| crest.length(|_| true) >= least).collect();
+    found.sort_by(|a, b| a.low.total_cmp(&b.low).then(a.falls.cmp(&b.falls)));
+    found
 }
 
 /// Whether the surface falls from a line's middle across one of the faces beside it, or rises; None
-/// where it is as good as level.
+/// where it is as good as level, or no steeper than the line itself: contours cross that as they do
+/// a slope.
 ///
 /// A fine round falls by less within one face than tells it from a flat: it is followed from face to
 /// face, no farther than `reach` mm.
 fn falls(mesh: &Mesh, line: [DVec3; 2], away: DVec2, face: usize, reach: f64) -> Option<bool> {
     let middle = line[0].midpoint(line[1]);
     let from = middle.truncate();
+    let slope = (line[1].z - line[0].z).abs() / line[0].truncate().distance(line[1].truncate());
     let (mut face, mut gone, mut upward) = (face, 0.0, None);
     while gone <= reach {
         let corners = mesh.corners(face);
@@ -91,7 +134,7 @@ fn falls(mesh: &Mesh, line: [DVec3; 2], away: DVec2, face: usize, reach: f64) ->
             return (down.max(up) > FLAT_STEP).then_some(down > up);
         }
         let (side, along, z) = exit(&corners, from, away)?;
-        if (z - middle.z).abs() > FLAT_STEP {
+        if (z - middle.z).abs() > FLAT_STEP.max(slope * along) {
             return Some(z < middle.z);
         }
         let next = mesh.neighbours[face][side];

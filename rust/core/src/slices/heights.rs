@@ -49,22 +49,23 @@ pub fn choose_levels(mesh: &Mesh, head: &Head, params: &HeightParams) -> Vec<Lev
     let mut wanted = wanted_heights(mesh, bottom, top, params);
     let first = bottom + params.first_layer.min((top - bottom) * 0.5);
     let last = wanted.iter().map(|w| w.low).fold(first, f64::max);
+    let (covered, step) = (WIDE * params.free_end, REACH * params.slab_min);
     let chosen = |wanted: &[Wanted]| {
         let candidates = candidates(wanted, first, last, params);
         let chain = cheapest_chain(mesh, head, params, &candidates, wanted);
         let mut levels: Vec<Level> = chain.into_iter().map(Level::at).collect();
         // A model lower than a slab is its first contour, wherever the features above it lie.
         if levels.len() > 1 {
-            widen(&mut levels, wanted, bottom, REACH * params.slab_min);
+            widen(&mut levels, wanted, bottom, step);
         }
         levels
     };
     let mut levels = chosen(&wanted);
-    let mut crests = Crests::new(mesh, (first, last), params.strand, WIDE * params.free_end);
+    let mut crests = Crests::new(mesh, (first, last), params.strand, covered, step);
     for _ in 0..ROUNDS {
         let slices = Shown::all(mesh, &levels);
         let features: Vec<f64> = wanted.iter().map(|w| w.low).collect();
-        let hidden = hollows::bare(mesh, &slices, &features, WIDE * params.free_end);
+        let hidden = hollows::bare(mesh, &slices, &features, covered);
         let mut bare = crests.take_bare(&slices);
         bare.extend(hidden.into_iter().map(|z| (z, z)));
         if bare.is_empty() {

@@ -24,7 +24,8 @@ pub struct Shown {
     pub plane: Plane,
     /// Whose it is.
     pub level: usize,
-    rings: Vec<Vec<DVec2>>,
+    /// Closed outlines, and whether the model lies around each: bodies may overlap.
+    rings: Vec<(Vec<DVec2>, bool)>,
     segments: Segments,
 }
 
@@ -48,7 +49,8 @@ impl Shown {
 
     /// Whether a place lies within the model here.
     pub fn holds(&self, place: DVec2) -> bool {
-        holds(&self.rings, place)
+        let around = self.rings.iter().filter(|(ring, _)| polygon::contains(ring, place));
+        around.map(|(_, is_hole)| if *is_hole { -1 } else { 1 }).sum::<i32>() > 0
     }
 
     /// Whether one of two slices holds a place and the other does not, to either side of it: an outline
@@ -67,12 +69,9 @@ impl Shown {
     }
 }
 
-fn rings(loops: &[Loop]) -> Vec<Vec<DVec2>> {
-    loops.iter().filter(|l| l.closed).map(|l| l.points.clone()).collect()
-}
-
-fn holds(rings: &[Vec<DVec2>], place: DVec2) -> bool {
-    polygon::is_within(rings.iter().map(Vec::as_slice), place)
+fn rings(loops: &[Loop]) -> Vec<(Vec<DVec2>, bool)> {
+    let closed = loops.iter().filter(|l| l.closed);
+    closed.map(|l| (l.points.clone(), polygon::signed_area(&l.points) < 0.0)).collect()
 }
 
 /// The outlines without what has no width: the slit that a bore leaves at its very bottom, with the same

@@ -9,13 +9,14 @@ use rayon::prelude::*;
 use crate::contours::{Contour, Difference, Region, difference};
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
-use crate::wireframe::plan::strips::{Slab, Strip, by_first, ledges};
+use crate::wireframe::plan::strips::{Slab, Strip, by_first, ledges, net};
 
-/// Slices close more than faces do where it is by more than this part: equal areas differ by rounding.
-const MORE: f64 = 0.01;
+/// Areas that differ by more than this part are not the same: equal ones differ by rounding.
+const SAME: f64 = 0.01;
 
 /// The ledges of each slab, all at once: by the faces, which know of plates too thin for any slice, or,
-/// of a solid, by the slices where these close more.
+/// of a solid, by the slices where these close more, or where faces do not close what they touch: then
+/// some are those of another body.
 #[must_use]
 pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
     let by_faces = ledges(mesh, slabs);
@@ -26,9 +27,16 @@ pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
     let better = |(slab, faces): (&Slab, Vec<Strip>)| {
         let slices = ledges_between(slab.lower, slab.upper);
         let [own, other] = [&faces, &slices].map(|strips| closed_area(slab, strips));
-        if other > own * (1.0 + MORE) { slices } else { faces }
+        let closes_more = other > own * (1.0 + SAME);
+        if closes_more || !faces.iter().all(|strip| is_true(slab, strip)) { slices } else { faces }
     };
     slabs.par_iter().zip(by_faces).map(better).collect()
+}
+
+/// Whether a strip's faces close its contours, as those of one body do (divergence theorem).
+fn is_true(slab: &Slab, strip: &Strip) -> bool {
+    let most = net(slab.lower, &strip.lower).abs().max(net(slab.upper, &strip.upper).abs());
+    (strip.plan - strip.change(slab.lower, slab.upper)).abs() <= SAME * most
 }
 
 /// Area of what strips close between their contours, mm².

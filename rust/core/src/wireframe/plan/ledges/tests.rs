@@ -105,3 +105,42 @@ fn a_ledge_is_a_face_where_its_plan_comes_to_half_of_what_its_contours_differ_by
         assert_eq!(ledge.is_face_of(380.0), closed > 0.0);
     }
 }
+
+/// A ring on the bed between two radii, so high, mm.
+fn ring(inner: f64, outer: f64, high: f64) -> Mesh {
+    const N: u32 = 48;
+    let corner = |radius: f64, z: f64| {
+        (0..N).map(move |i| {
+            let turn = std::f64::consts::TAU * f64::from(i) / f64::from(N);
+            DVec3::new(radius * turn.cos(), radius * turn.sin(), z)
+        })
+    };
+    let section = [(inner, 0.0), (outer, 0.0), (outer, high), (inner, high)];
+    let vertices = section.into_iter().flat_map(|(radius, z)| corner(radius, z)).collect();
+    let side = |k: u32, i: u32| {
+        let (here, there, j) = (k * N, (k + 1) % 4 * N, (i + 1) % N);
+        [[here + i, here + j, there + j], [here + i, there + j, there + i]]
+    };
+    Mesh::new(vertices, (0..4).flat_map(|k| (0..N).flat_map(move |i| side(k, i))).collect())
+}
+
+#[test]
+fn a_floor_of_two_rings_one_within_the_other_is_the_wider_one() {
+    let (wide, flange) = (ring(52.8, 67.0, 40.0), ring(59.0, 67.0, 4.0));
+    assert!(wide.volume() > 0.0);
+    let both = [[&wide, &flange], [&flange, &wide]].map(|pair| together(&pair.map(Mesh::clone)));
+    let floor = ledges_between_bed_and(&wide);
+    assert_eq!((floor.len(), &floor[0].upper[..]), (1, &[0, 1][..]));
+    for mesh in both {
+        let [found] = &ledges_between_bed_and(&mesh)[..] else { panic!("one floor") };
+        assert_eq!(found.upper, [0, 1]);
+        assert!((found.plan - floor[0].plan).abs() < 1e-6 * found.plan.abs(), "{found:?}");
+    }
+}
+
+/// What closes a mesh below.
+fn ledges_between_bed_and(mesh: &Mesh) -> Vec<Strip> {
+    let upper = sliced(mesh, &[Plane { z: 0.2, side: Side::Above }], 0.0).remove(0);
+    let slab = Slab { z_lower: f64::NEG_INFINITY, lower: &[], z_upper: 0.2, upper: &upper };
+    ledges_of(mesh, &[slab]).remove(0)
+}
