@@ -7,6 +7,7 @@ the second alone falls, for at the piece's edges much seems to hang in the air.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -36,6 +37,7 @@ def falling(
     strand_mm: float,
     judge: Judge,
     rounds: int,
+    most_mm: float = math.inf,
 ) -> tuple[list[int], int]:
     """Find what hangs on strands that are left out, what hangs on that, and so on.
 
@@ -52,6 +54,8 @@ def falling(
         of the strand that breaks a rule.
     rounds
         Most times that something may be found to fall.
+    most_mm
+        Where more than this is left out, mm, it need not be known what else falls.
 
     Returns
     -------
@@ -68,9 +72,16 @@ def falling(
         if not len(fresh):
             return dropped, number
         dropped = sorted({*dropped, *fresh.tolist()})
+        if length_mm(strands.strands[dropped]) > most_mm:
+            return dropped, number + 1
         if not piece.holds(fresh):
             piece = None
     return dropped, rounds
+
+
+def length_mm(ends: Floats) -> float:
+    """Return the length of all strands of (N, 2, 3), mm."""
+    return float(np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
 
 
 class _Piece:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from wireprint.cascade import falling
+from wireprint.cascade import falling, length_mm
 from wireprint.certificate import check
 from wireprint.gcode import document
 from wireprint.stages import origin_mm, toolpath
@@ -105,9 +105,9 @@ def mended(
         if throughout or not 0 < len(dropped) < strands.strand_count:
             return None
         number += 1
-        dropped, fell = falling(strands, dropped, strand_mm, to_blame, rounds - number)
+        dropped, fell = falling(strands, dropped, strand_mm, to_blame, rounds - number, most_mm)
         number += fell
-        most_mm -= _length_mm(strands.strands[dropped])
+        most_mm -= length_mm(strands.strands[dropped])
         if most_mm < 0 or len(dropped) == strands.strand_count:
             return None
         strands = strands.without(dropped, strand_mm)
@@ -199,10 +199,6 @@ def _before(laid: Floats, number: int, held_mm: Floats) -> Iterator[int]:
             return
         number -= 1
         yield number
-
-
-def _length_mm(ends: Floats) -> float:
-    return float(np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
 
 
 def _off(strands: Floats, place: Floats) -> Floats:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from wireprint._core import KINDS
+from wireprint.cascade import length_mm
 from wireprint.certificate import check
 from wireprint.gcode import file
 from wireprint.hybrid.plan import Plan
@@ -35,7 +36,7 @@ _LOOSE: Final = ("floating_starts", "dangling_ends", "hurried")
 #: An end is a line's if it lies this near to it, mm: G-code has thousandths, along each axis.
 _RESOLVED_MM: Final = 0.01
 #: Lines of layers are mended where breaches are in at most so many prints, one after the other, …
-_MENDINGS: Final = 24
+_MENDINGS: Final = 72
 #: … and what is left out of them is at most this part of what dropping runs would cost.
 _CHEAPER: Final = 0.25
 #: Breaches of a rule → why a run is not printed as layers. What breaks others, no run does.
@@ -166,7 +167,7 @@ def proved(
             return first.proved(plan, rounds)
         trimmed = _trimmed(plan, first, blamed, attempt, on_step)
         if trimmed is not None:
-            lost_mm = _length_mm(first.strands.strands) - _length_mm(trimmed.strands.strands)
+            lost_mm = length_mm(first.strands.strands) - length_mm(trimmed.strands.strands)
             return trimmed.proved(plan, rounds, lost_mm)
         loose = _loose(first, settings)
         if rounds == 1 and len(loose):
@@ -237,11 +238,7 @@ def _loose(found: _Attempt, settings: Settings) -> npt.NDArray[np.float64]:
 
 
 def _layers_mm(strands: Wireframe) -> float:
-    return _length_mm(strands.strands[np.isin(strands.strand_kinds, _LAYERS)])
-
-
-def _length_mm(ends: npt.NDArray[np.float64]) -> float:
-    return float(np.sum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
+    return length_mm(strands.strands[np.isin(strands.strand_kinds, _LAYERS)])
 
 
 def _blamed(
