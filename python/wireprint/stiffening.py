@@ -255,7 +255,9 @@ def _promising(bases: list[_Print], found: list[_Print], longest_s: float) -> li
         return math.log(before.lacks / one.lacks) / longer
 
     if not better:
-        return []
+        # Slabs may be worth it with thicker strands only.
+        least = sorted(short, key=lambda one: one.lacks)[:_GONE_ON_WITH]
+        return least if before.way == _Way() else []
     ordered = [max(better, key=gain), *sorted(better, key=lambda one: one.lacks)]
     return list({one.way: one for one in ordered}.values())[:_GONE_ON_WITH]
 
@@ -330,6 +332,7 @@ def _cheaper(best: _Print, kept: frozenset[str]) -> Iterator[_Way]:
     flow = _rounded_up(best.wanted_flow)
     if best.way.flow is not None and flow < _WORTH * best.way.flow and "wire.flow" not in kept:
         yield replace(best.way, flow=flow)
+        yield replace(best.way, flow=_rounded_up(math.sqrt(flow * best.way.flow)))
     if best.way.slab_max_mm is not None:
         higher = best.lacks ** (-1 / _HIGHER_GIVES_WAY) / _MARGIN
         yield replace(best.way, slab_max_mm=round(higher * best.way.slab_max_mm, _DIGITS))
