@@ -46,8 +46,9 @@ def settings() -> str:
     last = ""
     for key in describe():
         table, _, name = key.short.rpartition(".")
+        table = table or "printer"
         if table != last:
-            lines += ["", f"## {table or 'Printer'}", ""]
+            lines += ["", f"## {table}", ""]
             lines += ["| key | default | unit | bounds | |", "|---|---|---|---|---|"]
             last = table
         cells = (f"`{name}`", key.default_text, key.unit, key.bounds, key.help)
