@@ -38,7 +38,7 @@ _RESOLVED_MM: Final = 0.01
 #: Lines of layers are mended where breaches are in at most so many prints, one after the other, …
 _MENDINGS: Final = 72
 #: … and what is left out of them is at most this part of what dropping runs would cost.
-_CHEAPER: Final = 0.25
+_CHEAPER: Final = 0.5
 #: Breaches of a rule → why a run is not printed as layers. What breaks others, no run does.
 _REASONS: Final = {
     "collisions": "in_the_way",
