@@ -120,8 +120,8 @@ def test_a_rim_between_two_slices_is_printed():
 
 
 def test_what_is_too_flat_to_be_followed_is_named():
-    # Thinner than a strand.
-    mesh = disc(0.6)
+    # Half as thick as a strand.
+    mesh = disc(0.3)
     figures = make(mesh, Settings.load(), partial=True).figures()
     assert figures["certified"]
     assert not figures["whole"]

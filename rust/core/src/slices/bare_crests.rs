@@ -19,8 +19,10 @@ pub struct Crests {
     beside: f64,
     /// Contours cover so much to either side, mm.
     covered: f64,
-    /// Those that rise are wanted from this length on in sum, mm.
+    /// Those that rise are wanted from this length on in sum, mm …
     least_rising: f64,
+    /// … of which so much was taken already.
+    taken_rising: f64,
 }
 
 impl Crests {
@@ -37,7 +39,7 @@ impl Crests {
         let mut left = crests(mesh, LEAST * covered, covered, step);
         left.retain(|crest| first < crest.low - beside && crest.high + beside < last);
         let least_rising = SHARE * mesh.area() / (2.0 * covered);
-        Self { left, beside, covered, least_rising }
+        Self { left, beside, covered, least_rising, taken_rising: 0.0 }
     }
 
     /// Takes out those that would be bare if these were all slices; gives the range that a
@@ -52,11 +54,13 @@ impl Crests {
         let lengths: Vec<f64> = self.left.iter().map(bare).collect();
         let both = self.left.iter().zip(&lengths);
         let rising: f64 = both.map(|(crest, length)| if crest.rises { *length } else { 0.0 }).sum();
+        let matters = self.taken_rising + rising >= self.least_rising;
+        self.taken_rising += if matters { rising } else { 0.0 };
         let mut lengths = lengths.into_iter();
         let mut bare = Vec::new();
         self.left.retain(|crest| {
             let length = lengths.next().unwrap_or_default();
-            let wanted = length > 0.0 && (!crest.rises || rising >= self.least_rising);
+            let wanted = length > 0.0 && (!crest.rises || matters);
             if wanted {
                 let (down, up) = if crest.falls { (beside, 0.0) } else { (0.0, beside) };
                 bare.push((crest.low - down, crest.high + up));

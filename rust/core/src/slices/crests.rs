@@ -56,12 +56,12 @@ impl Crest {
 
 /// Crests while they are gathered: those that are level by their height, and of those that rise what
 /// lies within one step. Ordered, so that the outcome is too.
-struct Gathered {
+struct ByHeight {
     step: f64,
     found: BTreeMap<(i64, bool, bool), Crest>,
 }
 
-impl Gathered {
+impl ByHeight {
     fn add(&mut self, [a, b]: [DVec3; 2], falls: bool) {
         let rise = (b.z - a.z).abs();
         let rises = rise > self.step || rise > LEVEL * a.distance(b);
@@ -83,7 +83,7 @@ impl Gathered {
 /// Rounds so fine that a face is as good as level are followed over `reach` mm to either side.
 #[must_use]
 pub fn crests(mesh: &Mesh, least: f64, reach: f64, step: f64) -> Vec<Crest> {
-    let mut gathered = Gathered { step, found: BTreeMap::new() };
+    let mut gathered = ByHeight { step, found: BTreeMap::new() };
     for (face, neighbours) in mesh.neighbours.iter().enumerate() {
         let corners = mesh.corners(face);
         for (side, &beyond) in neighbours.iter().enumerate() {
