@@ -10,7 +10,7 @@ use crate::mesh::Mesh;
 const LEAST: f64 = 2.0;
 /// Those that rise take a level for each step of theirs, and want it if what is bare beside all of them is
 /// at least so much of the surface. Without that bound prints of rounded models take 1 % longer.
-const SHARE: f64 = 0.015;
+const SHARE: f64 = 0.0125;
 
 /// The crests of a mesh that have no level of their own yet.
 pub struct Crests {
