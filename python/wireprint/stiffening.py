@@ -43,8 +43,9 @@ _MOST_BANDS: Final = 50
 #: A strand that is fed x times as much gives way by x⁻², may by √x, and bears x to the 1.5.
 _GIVES_WAY: Final = 2.5
 _BEARS: Final = 1.5
-#: Slabs that are x times as high take x to the -1.8 of the time, and give way by x to the 2.5.
-_TAKES: Final = -1.8
+#: Slabs that are x times as high take 1/x of the time, or less (coils do not mind, posts become
+#: fewer by x²), and give way by x to the 2.5.
+_TAKES: Final = -1.0
 _HIGHER_GIVES_WAY: Final = 2.5
 #: No print is taken that takes so many times as long: a thicker nozzle is the better way then.
 _LONGEST: Final = 4.0
@@ -206,6 +207,8 @@ def stiffened(
             longest_s = _longest_s(first, known)
             found = tried([way for base in bases for way in _ways(base, kept, longest_s)])
             found += tried([way for base in bases for way in _thicker_yet(base, known)])
+            if not found:
+                found = tried([way for base in bases for way in _lower(base, kept, longest_s)])
             bases = _promising(bases, found, _longest_s(first, known))
             if not bases:
                 break
