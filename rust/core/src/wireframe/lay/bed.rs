@@ -15,9 +15,9 @@ use crate::wireframe::place::rim::Rim;
 use crate::wireframe::place::tuning::CORNER_REACH;
 use crate::wireframe::plan::sliced::LevelStep;
 
-/// A contour printed on the bed follows the model to this, mm. Whatever the strand: a foot is what fits
-/// or does not, and that is measured in mm. Doubled, rounds on the bed show their chords.
-const BED_FOLLOW: f64 = 0.05;
+/// A contour printed on the bed follows the model to this part of a strand's diameter: 0.05 of 0.7 mm.
+/// Doubled, rounds on the bed show their chords.
+const BED_FOLLOW: f64 = 0.05 / 0.7;
 
 /// The first contours, pressed onto the bed, and the floors within them.
 pub fn on_bed(cx: &Context, journal: &mut Journal, first: &LevelStep) -> Ground {
@@ -41,7 +41,7 @@ pub fn on_bed(cx: &Context, journal: &mut Journal, first: &LevelStep) -> Ground 
 pub fn press(journal: &mut Journal, curve: &Curve, support: bool, z: f64, strand: f64) -> Rim {
     let start = seam(journal, curve, strand);
     let kind = if support { Kind::Support } else { Kind::Contour };
-    let course = Course { start, z, tolerance: BED_FOLLOW, longest: f64::INFINITY, kind };
+    let course = Course { start, z, tolerance: BED_FOLLOW * strand, longest: f64::INFINITY, kind };
     let (rim, _) = ring_through(journal, curve, &[], &course);
     Rim { held: true, ..rim }
 }
