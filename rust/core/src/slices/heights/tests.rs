@@ -221,6 +221,13 @@ fn candidates_are_the_wanted_heights_an_even_grid_and_even_divisions() {
         assert_eq!(found.len(), all.len());
         assert!(found.iter().zip(&all).all(|(a, b)| (a - b).abs() < 2e-6));
     }
+    // What is as good as the first or the last height is no other one.
+    let (first, last, same) = (0.35, 12.0, SAME * params().strand);
+    let at = |low: f64| Wanted::bare(low, low);
+    for near in [first, first + same, last - same, last] {
+        let found = candidates(&[at(near)], first, last, &params());
+        assert_eq!(found, candidates(&[], first, last, &params()), "{near}");
+    }
     // However tall a model is, there are no more than some hundreds.
     let tall = candidates(&[], 0.35, 4000.0, &params());
     assert!((400..2000).contains(&tall.len()), "{}", tall.len());

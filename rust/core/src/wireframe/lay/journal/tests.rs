@@ -96,6 +96,18 @@ fn a_strand_that_goes_on_begins_where_the_last_one_ended_to_the_bit() {
 }
 
 #[test]
+fn strands_are_of_the_slab_that_was_begun_last() {
+    let head = head();
+    let mut own = journal(&head);
+    for slab in [0, 1, 7] {
+        own.begin_slab(slab, &[]);
+        own.stroke(DVec3::X * f64::from(slab), DVec3::Y, Kind::Post, false);
+        assert_eq!(own.slab(), slab);
+    }
+    assert_eq!(own.entries().strands.iter().map(|s| s.slab).collect::<Vec<_>>(), [0, 1, 7]);
+}
+
+#[test]
 fn strands_of_the_slab_are_found_by_height_and_place_and_bar_the_head_until_the_next() {
     let head = head();
     let mut own = journal(&head);
