@@ -18,7 +18,6 @@ from wireprint import Settings, _core
 from wireprint.calibration.answers import SAG_WITHIN_MM, Answers, Held, Sag
 from wireprint.calibration.fit import PRIORS, fitted
 from wireprint.calibration.tents import LENGTHS_MM, STRANDS
-from wireprint.cooling import holds_s
 from wireprint.forecast_terms import air_mm_s
 
 PAUSE_S, WITHIN_S, WITHIN_MM, OFTEN = 0.1, 0.15, 0.1, 0.95
@@ -34,8 +33,7 @@ def truth(settings, rng):
         "draw": max(1.0, matter["draw"] + drawn),
     }
     speed = air_mm_s(settings) * math.exp(blown)
-    post = (settings.slab_max_mm, settings.print_mm_s, settings.wire.pull_n)
-    pause = holds_s(other, settings.material.holding_c + hotter, speed, post)
+    pause = _core.cooling_time(other, settings.material.holding_c + hotter, speed)
     return pause, lambda laid: _core.sags(other, speed, laid, list(LENGTHS_MM))
 
 

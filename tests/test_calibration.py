@@ -13,7 +13,6 @@ from wireprint.calibration.answers import SAG_WITHIN_MM, Answers, Held, Sag, rea
 from wireprint.calibration.fit import PRIORS, fitted
 from wireprint.calibration.prints import printed
 from wireprint.calibration.tents import STRANDS, pauses_s
-from wireprint.cooling import holds_s
 from wireprint.forecast_terms import air_mm_s
 
 
@@ -63,8 +62,7 @@ def truth(settings, rng):
         "draw": max(1.0, matter["draw"] + drawn),
     }
     speed = air * math.exp(blown)
-    post = (settings.slab_max_mm, settings.print_mm_s, settings.wire.pull_n)
-    pause = holds_s(other, settings.material.holding_c + hotter, speed, post)
+    pause = _core.cooling_time(other, settings.material.holding_c + hotter, speed)
     return pause, lambda lengths, laid: _core.sags(other, speed, laid, list(lengths))
 
 

@@ -357,32 +357,6 @@ def test_auto_is_the_pause_that_follows_and_a_number_stays():
     assert kept.but(overrides=["wire.pause_s=auto"]).pause_s == own.pause_s
 
 
-@pytest.mark.parametrize("printer", ["kossel-mini", "prusa-mk4s", "printrbot-simple"])
-@pytest.mark.parametrize("material", ["abs", "pla", "petg"])
-@pytest.mark.parametrize("nozzle_mm", [0.25, 0.4, 0.6, 0.8])
-def test_no_post_that_a_pause_can_help_leans_after_auto(printer, material, nozzle_mm):
-    settings = Settings.load(printer, material, nozzle_mm=nozzle_mm)
-    matter, air = settings.material.matter(nozzle_mm), forecast_terms.air_mm_s(settings)
-    speed, pull_n, high_mm = settings.print_mm_s, settings.wire.pull_n, settings.slab_max_mm
-    for share in (0.3, 0.5, 0.7, 0.85, 1.0):
-        asks = _core.holding_pause(matter, air, share * high_mm, speed, pull_n, 60.0)
-        assert asks <= settings.solidify_s + 1e-9 or asks > 1.25 * settings.material.solidify_s(
-            nozzle_mm, air
-        )
-
-
-@pytest.mark.parametrize(
-    ("printer", "material", "nozzle_mm"),
-    [("prusa-mk4s", "pla", 0.4), ("prusa-mk4s", "petg", 0.4), ("kossel-mini", "abs", 0.7)],
-)
-def test_posts_of_a_print_hold_after_auto(cube, printer, material, nozzle_mm):
-    """As far as they themselves lean: what they stand on gives way however long they wait."""
-    settings = Settings.load(printer, material, nozzle_mm=nozzle_mm)
-    found = simulate(make(cube, settings, compare=False).gcode, settings)
-    worst = found.rules["holds"]
-    assert worst.worst - worst.detail <= worst.limit
-
-
 def test_the_command_takes_a_pause(cube, tmp_path):
     def dwells(*options):
         target = tmp_path / "cube.gcode"

@@ -5,17 +5,7 @@ The core computes it, ``rust/core/src/physics/cooling.rs``, which names the sour
 
 from __future__ import annotations
 
-from functools import lru_cache
-from typing import TYPE_CHECKING, Final
-
-from wireprint._core import cooling_time, heat_transfer, holding_pause
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-#: A post that leans after so many times the time to its holding temperature is too soft when it is
-#: cold, too: no pause helps it.
-_LONGEST: Final = 1.25
+from wireprint._core import cooling_time, heat_transfer
 
 
 def heat_transfer_w_m2k(
@@ -87,40 +77,3 @@ def cooling_s(
         "conductivity_w_mk": conductivity_w_mk,
     }
     return cooling_time(thermal, to_c, air_mm_s)
-
-
-def holds_s(
-    matter: Mapping[str, float], hold_c: float, air_mm_s: float, post: tuple[float, float, float]
-) -> float:
-    """Return the pause after which a post holds, s: what ``--pause auto`` stands for.
-
-    Parameters
-    ----------
-    matter
-        What the core knows of its strand: `Material.matter`.
-    hold_c
-        Temperature at which strands bear the nozzle's pull, °C.
-    air_mm_s
-        Speed of the air across it, mm/s.
-    post
-        Its height, mm, the speed at which it is drawn, mm/s, and the nozzle's pull, N.
-
-    Notes
-    -----
-    The time to `hold_c`, or longer where the post asks for more by the forecast's rule ``holds``:
-    thin ones do. At most a quarter longer, for what leans then does so however long it waits.
-    """
-    return _holds_s(tuple(matter.items()), hold_c, air_mm_s, post)
-
-
-@lru_cache(maxsize=64)
-def _holds_s(
-    known: tuple[tuple[str, float], ...],
-    hold_c: float,
-    air_mm_s: float,
-    post: tuple[float, float, float],
-) -> float:
-    """Do so once for each: it takes some milliseconds, and settings are asked often."""
-    matter = dict(known)
-    cools_s = cooling_time(matter, hold_c, air_mm_s)
-    return max(cools_s, holding_pause(matter, air_mm_s, *post, _LONGEST * cools_s))

@@ -17,7 +17,6 @@ from wireprint import _core, toml_text
 from wireprint._core import SettingError
 from wireprint.calibration.answers import SAG_SPREAD_MM
 from wireprint.calibration.tents import LENGTHS_MM
-from wireprint.cooling import holds_s
 from wireprint.forecast_terms import air_mm_s
 from wireprint.settings.calibration import Calibration
 
@@ -144,7 +143,6 @@ def _model(
     shorter = [_shorter(settings, speed) for speed in drawn]
     matter = settings.material.matter(settings.strand_mm)
     air, hold_c = air_mm_s(settings), settings.material.holding_c
-    post = (settings.slab_max_mm, settings.print_mm_s, settings.wire.pull_n)
     speeds = sorted({speed for _, speed in strands})
 
     def predicted(place: Array) -> Array:
@@ -155,7 +153,7 @@ def _model(
             "draw": max(matter["draw"] + drawn, 1.0),
         }
         speed = air * math.exp(blown)
-        pause = holds_s(other, hold_c + hotter, speed, post)
+        pause = _core.cooling_time(other, hold_c + hotter, speed)
         found = [pause, *(share * pause for share in shorter)]
         sags: dict[tuple[float, float], float] = {}
         for laid in speeds:

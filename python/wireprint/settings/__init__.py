@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any, Final, Self
 
 from pydantic import Field, model_validator
 
-from wireprint.cooling import holds_s
 from wireprint.settings.calibration import Calibration
 from wireprint.settings.layers import Layerwise, Regions
 from wireprint.settings.material import Material
@@ -138,12 +137,10 @@ class Settings(Section):
 
     @property
     def solidify_s(self) -> float:
-        """Time in which the highest post cools until it holds, s; see `cooling.holds_s`."""
+        """Time in which a strand cools until it holds, s."""
         cooling = self.printer.cooling
         air_mm_s: float = getattr(cooling.air_mm_s, cooling.method)
-        matter = self.material.matter(self.strand_mm)
-        post = (self.slab_max_mm, self.print_mm_s, self.wire.pull_n)
-        return holds_s(matter, self.material.holding_c, air_mm_s, post)
+        return self.material.solidify_s(self.strand_mm, air_mm_s)
 
     @classmethod
     def load(

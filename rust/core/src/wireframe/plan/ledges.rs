@@ -9,14 +9,14 @@ use rayon::prelude::*;
 use crate::contours::{Contour, Difference, Region, difference};
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
-use crate::wireframe::plan::strips::{Slab, Strip, by_first, ledges, net};
+use crate::wireframe::plan::strips::{Slab, Strip, by_first, ledges};
 
-/// Areas that differ by more than this part are not the same: equal ones differ by rounding.
-const SAME: f64 = 0.01;
+/// Slices close more than faces do where it is by more than this part: equal areas differ by rounding.
+const MORE: f64 = 0.01;
 
 /// The ledges of each slab, all at once: by the faces, which know of plates too thin for any slice, or,
-/// of a solid, by the slices where these close more, or where faces do not close what they touch: then
-/// some are those of another body.
+/// of a solid, by the slices where these close more, or where faces look the other way than
+/// what they would close: then they are those of another body.
 #[must_use]
 pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
     let by_faces = ledges(mesh, slabs);
@@ -27,16 +27,17 @@ pub fn ledges_of(mesh: &Mesh, slabs: &[Slab]) -> Vec<Vec<Strip>> {
     let better = |(slab, faces): (&Slab, Vec<Strip>)| {
         let slices = ledges_between(slab.lower, slab.upper);
         let [own, other] = [&faces, &slices].map(|strips| closed_area(slab, strips));
-        let closes_more = other > own * (1.0 + SAME);
-        if closes_more || !faces.iter().all(|strip| is_true(slab, strip)) { slices } else { faces }
+        let closes_more = other > own * (1.0 + MORE);
+        let are_others = faces.iter().any(|strip| is_upside_down(slab, strip));
+        if closes_more || are_others { slices } else { faces }
     };
     slabs.par_iter().zip(by_faces).map(better).collect()
 }
 
-/// Whether a strip's faces close its contours, as those of one body do (divergence theorem).
-fn is_true(slab: &Slab, strip: &Strip) -> bool {
-    let most = net(slab.lower, &strip.lower).abs().max(net(slab.upper, &strip.upper).abs());
-    (strip.plan - strip.change(slab.lower, slab.upper)).abs() <= SAME * most
+/// Whether a strip's faces look down where its contours want a roof, or up where they want a floor.
+fn is_upside_down(slab: &Slab, strip: &Strip) -> bool {
+    let change = strip.change(slab.lower, slab.upper);
+    strip.is_face_of(change) && strip.plan * change < 0.0
 }
 
 /// Area of what strips close between their contours, mm².

@@ -53,7 +53,7 @@ impl Strip {
 }
 
 /// Area that contours hold together, mm².
-pub(super) fn net(contours: &[Contour], which: &[u32]) -> f64 {
+fn net(contours: &[Contour], which: &[u32]) -> f64 {
     which.iter().map(|&i| contours[i as usize].area).sum()
 }
 
