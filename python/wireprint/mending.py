@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
-    from wireprint._core import Wireframe
+    from wireprint._core import Mesh, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.settings import Settings
     from wireprint.standing import Standing
@@ -85,15 +85,13 @@ def mended(
     """
     origin, strand_mm = origin_mm(settings, at_mm), settings.strand_mm
 
-    def judged(left: Wireframe) -> Certificate:
-        path = toolpath(left, settings, standing, at_mm)
-        text = document.body(path, settings, document.dated(None))
-        return check(text, settings, standing=standing)
+    def by_moves(left: Wireframe) -> Certificate:
+        return judged(left, settings, standing, at_mm)
 
     def to_blame(piece: Wireframe) -> dict[int, list[int]]:
         on_round()
         # G-code without a strand is nothing to judge.
-        return _blamed(piece, judged(piece), origin) if piece.strand_count else {}
+        return _blamed(piece, by_moves(piece), origin) if piece.strand_count else {}
 
     number = 0
     while number < rounds:
@@ -111,10 +109,33 @@ def mended(
         if most_mm < 0 or len(dropped) == strands.strand_count:
             return None
         strands = strands.without(dropped, strand_mm)
-        certificate = (judge or judged)(strands)
+        certificate = (judge or by_moves)(strands)
         if certificate.ok:
             return strands
     return None
+
+
+def judged(
+    strands: Wireframe,
+    settings: Settings,
+    standing: Standing | None = None,
+    at_mm: Point = (0.0, 0.0, 0.0),
+    mesh: Mesh | None = None,
+) -> Certificate:
+    """Judge a print by its moves alone, before it is a whole file, and what of a model it covers.
+
+    Parameters
+    ----------
+    strands, settings
+        The print.
+    standing, at_mm
+        What stands already, and where the print does; see `wireprint.check`.
+    mesh
+        What it is compared with.
+    """
+    path = toolpath(strands, settings, standing, at_mm)
+    text = document.body(path, settings, document.dated(None))
+    return check(text, settings, mesh, deviation=False, standing=standing, at_mm=at_mm)
 
 
 def _blamed(strands: Wireframe, certificate: Certificate, origin: Point) -> dict[int, list[int]]:

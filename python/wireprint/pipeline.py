@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,21 +10,18 @@ from wireprint._core import Mesh, SettingError, UnprintableError
 from wireprint.certificate import check
 from wireprint.clock import Clock
 from wireprint.files import written_whole
+from wireprint.finishing import Finishing, NothingPlannedError, written
 from wireprint.fitting import fitted, placed
-from wireprint.gcode import document, file
-from wireprint.stages import origin_mm, toolpath, wireframe
+from wireprint.stages import origin_mm, wireframe
 from wireprint.wholeness import is_whole, refusal
-from wireprint.wire_print import WirePrint
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable
     from datetime import datetime
 
     from wireprint._core import Toolpath, Wireframe
     from wireprint.certificate import Certificate
-    from wireprint.gcode.document import Thumbnail
-    from wireprint.gcode.file import Written
     from wireprint.hybrid.sketch import Sketch
     from wireprint.inputs import ModelLike
     from wireprint.regions import Region
@@ -33,6 +29,7 @@ if TYPE_CHECKING:
     from wireprint.settings import Settings
     from wireprint.standing import Standing
     from wireprint.verdict import Point
+    from wireprint.wire_print import WirePrint
 
 
 def make(
@@ -114,25 +111,11 @@ def make(
         turn = orient or remedy.orient
         options: dict[str, Any] = {"compare": False, "orient": turn, "partial": True}
         options |= {"standing": standing, "at_mm": at_mm}
-        return make(given, remedy.settings, region, **options).certificate
-
-    def judged(text: bytes) -> Certificate:
-        return check(text, settings, body, deviation=compare, standing=standing, at_mm=at_mm)
-
-    def written(path: Toolpath) -> Written:
-        remarks = [] if orientation is None else [str(orientation)]
-        remarks += [str(place)] if place.turn_deg else []
-        return _written(path, begun, date, [*remarks, *started])
+        return make(given, _as_it_is(remedy.settings), region, **options).certificate
 
     if region and (standing is not None or at_mm != (0.0, 0.0, 0.0)):
         raise SettingError("marks cannot be printed as layers onto what stands already")
     clock = clock or Clock()
-    begun: Settings = settings
-    started: tuple[str, ...] = ()
-    if standing is not None:
-        from wireprint.beginning import over
-
-        begun, started = over(settings, standing)
     body, orientation = given, None
     if orient:
         from wireprint.orientation import orient as best
@@ -142,78 +125,40 @@ def make(
         body = orientation.mesh
     place = placed(body, settings) if oversize else fitted(body, settings)
     body = place.mesh
+    if kept is not None:
+        settings = kept.settings
     with clock.stage("wireframe"):
         if standing is not None:
             planned = _onto(body, settings, standing, at_mm)
         else:
             planned = wireframe(body, settings) if kept is None else kept.plain
-    strands, regions = planned, None
+    moved = None
     if region:
         from wireprint.hybrid.motion import motion
-        from wireprint.hybrid.prove import proved
-        from wireprint.hybrid.sketch import Sketch
 
-        with clock.stage("regions"):
-            x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
-            moved = region.transformed(motion(given, body, (x, y, z + place.turn_deg)))
-            sketch = kept or Sketch(body, planned, settings)
-            regions = proved(sketch, moved, clock.step, write=written)
-            strands = regions.wireframe
-    if not strands.strand_count:
-        left_out = report.unprinted(strands.unprinted, None, settings)
-        raise refusal(None, left_out, settings, None if partial else attempt)
-    with clock.stage("toolpath"):
-        if regions is not None:
-            path = regions.toolpath
-        else:
-            path = toolpath(strands, settings, standing, at_mm)
-    with clock.stage("gcode"):
-        gcode, estimate = written(path) if regions is None else regions.written
-    certificate = None
-    if certify:
-        with clock.stage("check"):
-            if regions is None:
-                certificate = judged(gcode)
-            else:
-                certificate = regions.verdict.compared(body, deviation=compare)
-        if not certificate.ok:
-            from wireprint.mending import mended
-
-            with clock.stage("mend"):
-                left = mended(strands, certificate, settings, standing, at_mm)
-            if left is not None:
-                strands, path = left, toolpath(left, settings, standing, at_mm)
-                gcode, estimate = mended_file = written(path)
-                certificate = judged(gcode)
-                regions = regions and replace(
-                    regions,
-                    wireframe=strands,
-                    toolpath=path,
-                    written=mended_file,
-                    verdict=certificate,
-                )
-    places = None
-    if weak:
-        from wireprint.weakness import find_weak
-
-        with clock.stage("weak"):
-            places = find_weak(gcode, settings)
-    made = WirePrint(
-        settings,
-        body,
-        strands,
-        path,
-        regions,
-        gcode,
-        estimate,
-        certificate,
-        clock.timings_s,
-        orientation,
-        place.turn_deg,
-        places,
-        planned,
+        x, y, z = (0.0, 0.0, 0.0) if orientation is None else orientation.rotate_deg
+        moved = region.transformed(motion(given, body, (x, y, z + place.turn_deg)))
+    finishing = Finishing(
+        place=place,
+        orientation=orientation,
+        region=moved,
+        kept=kept,
+        date=date,
+        clock=clock,
+        certify=certify,
+        compare=compare,
+        weak=weak,
+        standing=standing,
+        at_mm=at_mm,
+        lower=certify and standing is None and not (kept is not None and kept.judged),
     )
-    if certificate is not None and not partial and not is_whole(certificate, settings):
+    try:
+        made = finishing.of(settings, planned)
+    except NothingPlannedError:
+        left_out = report.unprinted(planned.unprinted, None, settings)
+        raise refusal(None, left_out, settings, None if partial else attempt) from None
+    certificate = made.certificate
+    if certificate is not None and not partial and not is_whole(certificate, made.settings):
         raise refusal(certificate, made.unprinted(), settings, attempt)
     return made
 
@@ -235,6 +180,11 @@ def _resolved(
 
         settings = Settings.load()
     return given, settings, region
+
+
+def _as_it_is(settings: Settings) -> Settings:
+    """Return settings that print a model without a second plan, for remedies that must help so."""
+    return settings.but(overrides=["wire.coverage_goal=0"])
 
 
 def _onto(mesh: Mesh, settings: Settings, standing: Standing, at_mm: Point) -> Wireframe:
@@ -287,7 +237,7 @@ def to_gcode(
     UnprintableError
         A figure of a move is not finite.
     """
-    return _written(toolpath, settings, date, remarks).text
+    return written(toolpath, settings, date, remarks).text
 
 
 def write_gcode(
@@ -320,34 +270,11 @@ def write_gcode(
     if mesh is not None and not partial:
 
         def attempt(remedy: Remedy) -> Certificate | None:
-            other = make(mesh, remedy.settings, compare=False, orient=remedy.orient, partial=True)
-            return other.certificate
+            tried = _as_it_is(remedy.settings)
+            return make(mesh, tried, compare=False, orient=remedy.orient, partial=True).certificate
 
         certificate = check(text, settings, mesh, deviation=False)
         if not is_whole(certificate, settings):
             bare = report.unprinted((), certificate.fidelity, settings)
             raise refusal(certificate, bare, settings, attempt)
     written_whole(Path(path), text)
-
-
-def _written(
-    path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
-) -> Written:
-    # The pictures take as long as all the text: they are drawn beside it.
-    thumbnails = _thumbnails(path, settings)
-    return file.write(path, settings, date, thumbnails, remarks)
-
-
-def _thumbnails(path: Toolpath, settings: Settings) -> Callable[[], list[Thumbnail]]:
-    """Begin to draw the pictures; what is returned waits for them."""
-    sizes = settings.printer.gcode.thumbnails
-    if not sizes:
-        return list
-    from wireprint.view import begin_thumbnails
-    from wireprint.view_source import strands_of
-
-    drawn = begin_thumbnails(strands_of(path, settings), sizes)
-    # What is left of a size behind width and height is the picture's form.
-    return lambda: [
-        document.Thumbnail(*made, *size[2:]) for made, size in zip(drawn(), sizes, strict=True)
-    ]

@@ -208,9 +208,14 @@ def unprinted(
     return sorted(listed, key=lambda part: (part["low_mm"], part["high_mm"]))
 
 
+def listed_from_mm2(fidelity: Fidelity) -> float:
+    """Return from which area on a bare patch is listed, mm²."""
+    return min(_PATCH_MM2, _PATCH_SHARE * fidelity.area_mm2)
+
+
 def _patches(fidelity: Fidelity, planned: list[LeftOut], settings: Settings) -> list[Unprinted]:
     """List the bare patches that are large enough; take out of `planned` what lies in them."""
-    least_mm2 = min(_PATCH_MM2, _PATCH_SHARE * fidelity.area_mm2)
+    least_mm2 = listed_from_mm2(fidelity)
     listed = []
     for patch in fidelity.uncovered:
         if patch.area_mm2 < least_mm2:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from wireprint.bands import Band, joined
 from wireprint.forecast_terms import stiffer
 from wireprint.frames import Frame, can_solve, flexibility, shifts_under, strain_energies
 
@@ -21,9 +22,6 @@ if TYPE_CHECKING:
     from wireprint.wire_print import WirePrint
 
     Array = npt.NDArray[np.float64]
-
-#: From height to height, mm.
-Band = tuple[float, float]
 
 #: What holds a place reaches so far below it and above it, in slabs of the greatest height.
 _BELOW: Final = 1.5
@@ -105,17 +103,6 @@ def about_fingers(made: WirePrint, forecast: Forecast, grip: Grip) -> list[Band]
     middle = float(forecast.ends_mm[:, 1, 2].max(initial=0.0)) / 2
     at = [middle, grip.place_mm[2]]
     return joined((max(0.0, z - 2 * _BELOW * high), z + 2 * _BELOW * high) for z in at)
-
-
-def joined(bands: Iterable[Band]) -> list[Band]:
-    """Return bands, those that overlap as one, from the lowest up."""
-    found: list[Band] = []
-    for low, high in sorted(bands):
-        if found and low <= found[-1][1]:
-            found[-1] = found[-1][0], max(found[-1][1], high)
-        else:
-            found.append((low, high))
-    return found
 
 
 def _holding(heights: Array, energies: Array, step: float) -> list[Band]:

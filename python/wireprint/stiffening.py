@@ -16,9 +16,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import WireprintError
+from wireprint.bands import Band, joined
 from wireprint.forecast import simulate
 from wireprint.pipeline import make
-from wireprint.softness import Band, about_fingers, about_misses, joined, share_of, that_bends
+from wireprint.softness import about_fingers, about_misses, share_of, that_bends
 from wireprint.threads import workers
 from wireprint.wholeness import is_whole
 

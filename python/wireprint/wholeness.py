@@ -6,12 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 from wireprint._core import UnprintableError, WireprintError
 from wireprint.remedies import remedies
-from wireprint.report import breaches
+from wireprint.report import breaches, listed_from_mm2
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from wireprint.certificate import Certificate
+    from wireprint.fidelity import Fidelity
     from wireprint.remedies import Remedy
     from wireprint.report import Unprinted
     from wireprint.settings import Settings
@@ -42,6 +43,15 @@ def is_whole(certificate: Certificate, settings: Settings) -> bool:
     """Whether enough of the model that was compared is covered."""
     fidelity = certificate.fidelity
     return fidelity is None or fidelity.coverage >= settings.wire.coverage_min
+
+
+def is_as_wished(fidelity: Fidelity, settings: Settings) -> bool:
+    """Whether `wire.coverage_goal` is covered, and no bare patch is so large that it is listed."""
+    if not settings.wire.coverage_goal:
+        return True
+    largest = max((patch.area_mm2 for patch in fidelity.uncovered), default=0.0)
+    is_small = largest < listed_from_mm2(fidelity)
+    return fidelity.coverage >= settings.wire.coverage_goal and is_small
 
 
 def shortfall(certificate: Certificate | None, settings: Settings) -> str:

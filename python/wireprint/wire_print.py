@@ -56,7 +56,8 @@ class WirePrint:
             return self.regions.plan.sketch
         from wireprint.hybrid.sketch import Sketch
 
-        return Sketch(self.mesh, self.planned or self.wireframe, self.settings)
+        plain, judged = self.planned or self.wireframe, self.certificate is not None
+        return Sketch(self.mesh, plain, self.settings, judged)
 
     def figures(self) -> dict[str, Any]:
         """Tell what people want to know, under the keys of ``wireprint slice --json``.
@@ -77,6 +78,7 @@ class WirePrint:
             "strand_mm": moves["strand_mm"],
             "travel_mm": moves["travel_mm"],
             "strand": strand_of(self.settings),
+            "low_slabs_mm": [list(band) for band in self.settings.wire.low_slabs_mm],
             "brim_rings": self.toolpath.brim_rings,
             "pauses": moves["pauses"],
             "pause_s": moves["pause_s"],

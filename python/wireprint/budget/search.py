@@ -188,11 +188,11 @@ class Search:
             timed = Tried(knobs, settings, *_takes(made))
             if not judge and not self._allows(timed):
                 return timed
-            # What was planned is taken as it is; mending may take strands away, and time.
+            # The plan is taken on; mending may take strands away, and lower slabs take longer.
             made = make(self.mesh, settings, self.region, partial=True, kept=made.sketch)
         except WireprintError as error:
             return error
-        return _judged(knobs, made)
+        return _judged(knobs, settings, made)
 
     def _timed(self) -> list[Tried]:
         return [one for one in self.tried.values() if isinstance(one, Tried)]
@@ -239,8 +239,8 @@ class Search:
         )
 
 
-def _judged(knobs: Knobs, made: WirePrint) -> Tried:
-    settings, certificate = made.settings, made.certificate
+def _judged(knobs: Knobs, settings: Settings, made: WirePrint) -> Tried:
+    certificate = made.certificate
     fidelity = None if certificate is None else certificate.fidelity
     if certificate is None or fidelity is None or not certificate.ok:
         return Tried(knobs, settings, *_takes(made), good=False)

@@ -34,6 +34,8 @@ def _rows(figures: Mapping[str, Any]) -> Iterator[str]:
     if figures["turn_to_fit_deg"]:
         yield _row("turned", f"{figures['turn_to_fit_deg']:g}° about z, to fit the bed")
     yield _row("wire", f"{figures['slices']} slices, {figures['posts']} posts")
+    for low, high, most in figures["low_slabs_mm"]:
+        yield _row("lower slabs", f"at most {most:g} mm, from z {low:g} to {high:g} mm")
     if figures["brim_rings"]:
         yield _row("brim", f"{figures['brim_rings']} rings about the foot")
     yield _row("strand", f"{figures['strand_mm'] / 1000:.2f} m")

@@ -43,6 +43,8 @@ class Sketch:
     plain: Wireframe
     #: Printer, material, way of wiring and of printing regions.
     settings: Settings
+    #: Whether lower slabs that cover more would be in it: the plain print was judged.
+    judged: bool = True
 
     @classmethod
     def of(cls, mesh: Mesh, settings: Settings) -> Sketch:

@@ -1,0 +1,196 @@
+"""From a planned wire print to the whole file and the verdict on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from wireprint.certificate import check
+from wireprint.gcode import document, file
+from wireprint.stages import toolpath
+from wireprint.wholeness import is_as_wished
+from wireprint.wire_print import WirePrint
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from datetime import datetime
+
+    from wireprint._core import Toolpath, Wireframe
+    from wireprint.certificate import Certificate
+    from wireprint.clock import Clock
+    from wireprint.fitting import Placed
+    from wireprint.gcode.document import Thumbnail
+    from wireprint.gcode.file import Written
+    from wireprint.hybrid.prove import Proved
+    from wireprint.hybrid.sketch import Sketch
+    from wireprint.orientation import Orientation
+    from wireprint.regions import Region
+    from wireprint.settings import Settings
+    from wireprint.standing import Standing
+    from wireprint.verdict import Point
+
+
+class NothingPlannedError(Exception):
+    """A plan has not one strand."""
+
+
+@dataclass(frozen=True)
+class Finishing:
+    """What a print is made with besides its plan and settings; see `wireprint.make`."""
+
+    place: Placed
+    orientation: Orientation | None
+    #: In the coordinates of the placed mesh.
+    region: Region | None
+    #: What marks do not change, of an earlier print.
+    kept: Sketch | None
+    date: datetime | None
+    clock: Clock
+    certify: bool
+    compare: bool
+    weak: bool
+    standing: Standing | None
+    at_mm: Point
+    #: Whether slabs may be made lower about what would be bare.
+    lower: bool
+
+    def of(self, settings: Settings, planned: Wireframe) -> WirePrint:
+        """Make the file of a plan, judge it, and mend it where it breaks the rules.
+
+        Raises
+        ------
+        NothingPlannedError
+            There is nothing to print.
+        """
+        if self.region and self.lower and settings.wire.coverage_goal:
+            lower = self._lowered(settings, planned, None)
+            if lower is not None:
+                return replace(self, lower=False, kept=None).of(*lower)
+        strands, regions = planned, self._regions(settings, planned)
+        if regions is not None:
+            strands = regions.wireframe
+        if not strands.strand_count:
+            raise NothingPlannedError
+        with self.clock.stage("toolpath"):
+            if regions is not None:
+                path = regions.toolpath
+            else:
+                path = toolpath(strands, settings, self.standing, self.at_mm)
+        with self.clock.stage("gcode"):
+            gcode, estimate = self._written(path, settings) if regions is None else regions.written
+        certificate = None
+        if self.certify:
+            with self.clock.stage("check"):
+                if regions is None:
+                    certificate = self._judged(gcode, settings)
+                else:
+                    certificate = regions.verdict.compared(self.place.mesh, deviation=self.compare)
+            if self.lower and regions is None:
+                lower = self._lowered(settings, planned, certificate)
+                if lower is not None:
+                    return replace(self, lower=False, kept=None).of(*lower)
+            if not certificate.ok:
+                from wireprint.mending import mended
+
+                with self.clock.stage("mend"):
+                    left = mended(strands, certificate, settings, self.standing, self.at_mm)
+                if left is not None:
+                    strands = left
+                    path = toolpath(left, settings, self.standing, self.at_mm)
+                    gcode, estimate = mended_file = self._written(path, settings)
+                    certificate = self._judged(gcode, settings)
+                    regions = regions and replace(
+                        regions,
+                        wireframe=strands,
+                        toolpath=path,
+                        written=mended_file,
+                        verdict=certificate,
+                    )
+        places = None
+        if self.weak:
+            from wireprint.weakness import find_weak
+
+            with self.clock.stage("weak"):
+                places = find_weak(gcode, settings)
+        return WirePrint(
+            settings,
+            self.place.mesh,
+            strands,
+            path,
+            regions,
+            gcode,
+            estimate,
+            certificate,
+            self.clock.timings_s,
+            self.orientation,
+            self.place.turn_deg,
+            places,
+            planned,
+        )
+
+    def _regions(self, settings: Settings, planned: Wireframe) -> Proved | None:
+        if not self.region:
+            return None
+        from wireprint.hybrid.prove import proved
+        from wireprint.hybrid.sketch import Sketch
+
+        def written(path: Toolpath) -> Written:
+            return self._written(path, settings)
+
+        with self.clock.stage("regions"):
+            sketch = self.kept or Sketch(self.place.mesh, planned, settings, self.certify)
+            return proved(sketch, self.region, self.clock.step, write=written)
+
+    def _lowered(
+        self, settings: Settings, planned: Wireframe, certificate: Certificate | None
+    ) -> tuple[Settings, Wireframe] | None:
+        known = None if certificate is None else certificate.fidelity
+        if known is not None and is_as_wished(known, settings):
+            return None
+        from wireprint.lowering import lowered
+
+        with self.clock.stage("lower slabs"):
+            return lowered(self.place.mesh, settings, planned, certificate, self.clock.step)
+
+    def _judged(self, text: bytes, settings: Settings) -> Certificate:
+        return check(
+            text,
+            settings,
+            self.place.mesh,
+            deviation=self.compare,
+            standing=self.standing,
+            at_mm=self.at_mm,
+        )
+
+    def _written(self, path: Toolpath, settings: Settings) -> Written:
+        remarks = [] if self.orientation is None else [str(self.orientation)]
+        remarks += [str(self.place)] if self.place.turn_deg else []
+        if self.standing is not None:
+            from wireprint.beginning import over
+
+            settings, started = over(settings, self.standing)
+            remarks += started
+        return written(path, settings, self.date, remarks)
+
+
+def written(
+    path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
+) -> Written:
+    """Return a toolpath as a whole file, with its pictures, and its times."""
+    # The pictures take as long as all the text: they are drawn beside it.
+    return file.write(path, settings, date, _thumbnails(path, settings), remarks)
+
+
+def _thumbnails(path: Toolpath, settings: Settings) -> Callable[[], list[Thumbnail]]:
+    """Begin to draw the pictures; what is returned waits for them."""
+    sizes = settings.printer.gcode.thumbnails
+    if not sizes:
+        return list
+    from wireprint.view import begin_thumbnails
+    from wireprint.view_source import strands_of
+
+    drawn = begin_thumbnails(strands_of(path, settings), sizes)
+    # What is left of a size behind width and height is the picture's form.
+    return lambda: [
+        document.Thumbnail(*made, *size[2:]) for made, size in zip(drawn(), sizes, strict=True)
+    ]
