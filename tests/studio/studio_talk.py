@@ -1,6 +1,7 @@
 """A window without a browser."""
 
 import json
+import threading
 import time
 from pathlib import Path
 
@@ -19,6 +20,8 @@ AS_IT_IS = {
     "rotate": (0.0, 0.0, 0.0),
     "height_mm": None,
 }
+#: A window rests whose threads sleep at so many looks, each so long after the other, s.
+_LOOKS, _APART_S = 10, 0.02
 #: Longest that anything is waited for, s; nothing takes as long unless it is broken.
 PATIENCE_S = 120.0
 
@@ -68,7 +71,26 @@ class Talk:
             time.sleep(0.01)
         raise AssertionError(f"no {event}; told {[name for name, _ in self.told]}")
 
+    def rest(self):
+        """Wait until nothing is done any more: after a print, the next one is prepared."""
+        end, asleep = time.monotonic() + PATIENCE_S, 0
+        while asleep < _LOOKS:
+            assert time.monotonic() < end, "it never rests"
+            time.sleep(_APART_S)
+            asleep = asleep + 1 if _others_sleep() else 0
+
     def gcode(self, **values):
         head, arrays = self.ask("export", kind="gcode", **values)
         assert "error" not in head, head["error"]
         return arrays["file"].tobytes()
+
+
+def _others_sleep():
+    """Tell whether no thread but this one runs, or would if a processor were free; needs /proc."""
+    own = threading.get_native_id()
+    states = [
+        (task / "stat").read_text().rpartition(")")[2].split()[0]
+        for task in Path("/proc/self/task").iterdir()
+        if int(task.name) != own
+    ]
+    return all(state == "S" for state in states)

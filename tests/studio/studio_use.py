@@ -3,7 +3,9 @@
 import gc
 import os
 import random
+import statistics
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 from studio_strokes import flank
@@ -23,11 +25,22 @@ _DEEDS = {
     "profile": 1,
     "save": 1,
 }
-#: Deeds at the beginning that are not compared: caches fill, and memory is flat after some 30 deeds
-#: on a cube (over 60: 206 MB after 20, 229 at most).
+#: Deeds at the beginning that are not compared: caches fill.
 WARMING = 30
 #: What it may grow by after that, MB.
 MOST_MB = 50.0
+#: Strokes of a probe: heights on the front of the cube, mm.
+_PROBED_MM = (8.0, 11.0, 14.0, 17.0, 20.0)
+
+
+@dataclass(frozen=True)
+class Probe:
+    """What the same few strokes take on the same model, whatever was done before."""
+
+    #: Memory that the process holds while the window rests, MB.
+    resident_mb: float
+    #: Processor time of a stroke to its print, s, the median.
+    stroke_s: float
 
 
 def resident_mb():
@@ -42,15 +55,33 @@ class Use:
 
     def __init__(self, talk, model, seed):
         self.talk, self.model, self.random = talk, model, random.Random(seed)
-        #: Seconds of the processor that each stroke took.
-        self.strokes_s = []
+
+    def probe(self):
+        """Return what strokes take on the cube, on one printer and without any other mark."""
+        self._save("cube")
+        self.talk.edit("profile", printer=_PROFILES[0][0], material=_PROFILES[0][1])
+        self.talk.edit("set", key="wire.skirt_rings", value=None)
+        for number in self._marked():
+            self.talk.edit("delete", number=number)
+        strokes_s = []
+        for z_mm in _PROBED_MM:
+            self.talk.rest()
+            begin = time.process_time()
+            self.talk.edit("mark", mark={"shape": flank(z_mm), "erase": False})
+            strokes_s.append(time.process_time() - begin)
+        self.talk.rest()
+        self._forget()
+        return Probe(resident_mb(), statistics.median(strokes_s))
 
     def deed(self):
         """Do something, and wait for its print."""
         kinds = list(_DEEDS)
         name = self.random.choices(kinds, [_DEEDS[kind] for kind in kinds])[0]
         getattr(self, f"_{name}")()
-        # A page is told events and forgets all but the newest of each kind.
+        self._forget()
+
+    def _forget(self):
+        """Forget all but the newest event of each kind, as a page does."""
         known = len(self.talk.told)
         newest = {name: (name, event) for name, event in self.talk.told[:known]}
         self.talk.told[:known] = newest.values()
@@ -61,9 +92,7 @@ class Use:
     def _paint(self):
         shape = flank(self.random.uniform(6, 22), self.random.uniform(2, 5))
         mark = {"shape": shape, "erase": self.random.random() < 0.2}
-        begin = time.process_time()
         self.talk.edit("mark", mark=mark)
-        self.strokes_s.append(time.process_time() - begin)
         # Not more than a user would keep.
         if len(self._marked()) > 6:
             self._delete()
@@ -93,9 +122,9 @@ class Use:
         printer, material = self.random.choice([one for one in _PROFILES if one[0] != now])
         self.talk.edit("profile", printer=printer, material=material)
 
-    def _save(self):
-        """Save the model anew, of another size."""
-        name = self.random.choice(("cube", "sphere"))
+    def _save(self, name=None):
+        """Save the model anew, mostly as another one."""
+        name = name or self.random.choice(("cube", "sphere"))
         self.model.write_bytes(examples.stl(name))
         state, _ = self.talk.wait("state")
         revision = state["revision"]

@@ -17,10 +17,10 @@ def test_a_window_in_use_does_not_grow(talk, cube):
     use = Use(talk, cube, seed=3)
     for _ in range(WARMING):
         use.deed()
-    before = resident_mb()
+    before = use.probe()
     for _ in range(DEEDS):
         use.deed()
-    assert resident_mb() - before < MOST_MB
+    assert use.probe().resident_mb - before.resident_mb < MOST_MB
 
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="needs glibc's malloc_trim")

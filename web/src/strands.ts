@@ -1,5 +1,6 @@
 // All strands in one draw call, as tubes or as thin lines, by the time that is shown.
 import {
+  BufferAttribute,
   BufferGeometry,
   Color,
   type DataTexture,
@@ -14,7 +15,15 @@ import {
   Sphere,
 } from "three";
 import type { Label, Print } from "./protocol";
-import { LINE_FRAGMENT, LINE_VERTEX, MOST_KINDS, TUBE_FRAGMENT, TUBE_VERTEX } from "./strandshaders";
+import {
+  CORNERS,
+  LINE_FRAGMENT,
+  LINE_VERTEX,
+  MOST_KINDS,
+  TRIANGLES,
+  TUBE_FRAGMENT,
+  TUBE_VERTEX,
+} from "./strandshaders";
 import { amounts, texels } from "./textures";
 import { RAMP, type Palette } from "./theme";
 
@@ -57,6 +66,8 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
   private mode: Mode = "feature";
   private untilS = Infinity;
   private slabCount = 1;
+  /** So many strands have their corners numbered. */
+  private room = 0;
   private readonly lines: LineSegments<BufferGeometry, RawShaderMaterial>;
 
   constructor() {
@@ -152,9 +163,23 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
   private fill(): void {
     const uniforms = this.material.uniforms;
     (uniforms.strands!.value as DataTexture).dispose();
-    uniforms.strands!.value = texels(this.drawn?.packed ?? this.packed);
+    const packed = this.drawn?.packed ?? this.packed;
+    uniforms.strands!.value = texels(packed);
+    this.reserve(packed.length / 4);
     this.colourBy(this.mode);
     this.showUntil(this.untilS);
+  }
+
+  /** Numbers the corners of at least so many strands: corners that two triangles share are placed once. */
+  private reserve(count: number): void {
+    if (count <= this.room) return;
+    this.room = Math.max(count, 2 * this.room);
+    const numbers = new Uint32Array(TRIANGLES.length * this.room);
+    for (let i = 0; i < numbers.length; i++)
+      numbers[i] = CORNERS * Math.floor(i / TRIANGLES.length) + TRIANGLES[i % TRIANGLES.length]!;
+    // What is drawn of it follows; the buffer that it replaces is let go.
+    this.geometry.dispose();
+    this.geometry.setIndex(new BufferAttribute(numbers, 1));
   }
 
   /** What is drawn in place of the strands. */
@@ -237,7 +262,7 @@ export class Strands extends Mesh<BufferGeometry, RawShaderMaterial> {
       }
     }
     const drawn = this.drawnOf(begun);
-    this.geometry.setDrawRange(0, 6 * drawn);
+    this.geometry.setDrawRange(0, TRIANGLES.length * drawn);
     this.lines.geometry.setDrawRange(0, 2 * drawn);
     return begun;
   }

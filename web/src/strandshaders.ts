@@ -59,17 +59,24 @@ bool found(int strand, out vec3 a, out vec3 b, out float thick) {
   return true;
 }`;
 
-/** A quad for each strand, two triangles. */
-export const TUBE_VERTEX = `${COMMON}
+/** How far a strand and its halo reach from its middle, in its radii: no pixel beyond is asked about. */
+const REACH = "#define REACH 1.323";
+/** Corners of the quad that each strand is drawn on; its two triangles name them by number. */
+export const CORNERS = 4;
+export const TRIANGLES = [0, 1, 2, 2, 1, 3] as const;
+
+/** A quad for each strand. */
+export const TUBE_VERTEX = `${REACH}
+${COMMON}
 flat out vec4 axis;                  // start and direction on the screen, pixels
 flat out vec4 depth;                 // 1/z and its step, radius and its step
 flat out vec3 facing;
 void main() {
-  int corner = gl_VertexID % 6;
+  int corner = gl_VertexID % ${CORNERS};
   vec3 a, b;
   float thick;
   gl_Position = vec4(2, 2, 2, 1);
-  if (!found(gl_VertexID / 6, a, b, thick)) return;
+  if (!found(gl_VertexID / ${CORNERS}, a, b, thick)) return;
   float focal = projectionMatrix[1][1] * screen.y * 0.5;
   vec2 key = -1.0 / vec2(a.z, b.z);
   vec2 radius = max(thick * 0.5 * focal * key, 0.6);
@@ -78,15 +85,15 @@ void main() {
   axis = vec4(start + screen * 0.5, along);
   depth = vec4(key.x, key.y - key.x, radius.x, radius.y - radius.x);
   facing = normalize(vec3(0, 0, 1) - direction * direction.z + vec3(0, 0, 1e-6));
-  float reach = max(radius.x, radius.y) * 1.35 + 1.0, len = max(length(along), 1e-3);
+  float reach = max(radius.x, radius.y) * REACH + 0.01, len = max(length(along), 1e-3);
   vec2 unit = length(along) > 1e-3 ? along / len : vec2(1, 0);
-  float u = corner == 0 || corner == 1 || corner == 3 ? -reach : len + reach;
-  float v = corner == 0 || corner == 2 || corner == 4 ? -reach : reach;
+  float u = corner < 2 ? -reach : len + reach;
+  float v = corner % 2 == 0 ? -reach : reach;
   gl_Position = vec4(2.0 * (start + u * unit + v * vec2(-unit.y, unit.x)) / screen, 0, 1);
 }`;
 
 /** Solves the capsule on its quad. */
-export const TUBE_FRAGMENT = `
+export const TUBE_FRAGMENT = `${REACH}
 precision highp float;
 uniform mat4 projectionMatrix;
 uniform vec2 screen;
@@ -104,7 +111,7 @@ void main() {
   float key = depth.x + t * depth.y, radius = depth.z + t * depth.w;
   vec2 away = (offset - t * axis.zw) / radius;
   float rest = 1.0 - dot(away, away);
-  if (rest < -0.75) discard;
+  if (rest < 1.0 - REACH * REACH) discard;
   float focal = projectionMatrix[1][1] * screen.y * 0.5;
   float bulge = radius / focal * key;   // of one radius, in 1/z
   float far = clamp((1.0 / key - fog.x) / fog.y, 0.0, 1.0);

@@ -269,8 +269,12 @@ class Workshop:
         return stage
 
     def _sketch_of(self, mesh: Mesh, settings: Settings) -> Sketch | None:
-        """Return what was kept of a print of the same mesh with the same settings."""
+        """Return what was kept of a print of the same mesh with the same settings.
+
+        What was kept of another one goes, before the new one takes as much memory again.
+        """
         if self._sketch is None or self._sketch[0] is not mesh or self._sketch[1] is not settings:
+            self._sketch = None
             return None
         return self._sketch[2]
 
