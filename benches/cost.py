@@ -14,9 +14,9 @@ import numpy as np
 
 from wireprint._core import Mesh
 from wireprint.certificate import check
-from wireprint.pipeline import to_gcode
 from wireprint.settings import Settings
 from wireprint.stages import toolpath, wireframe
+from wireprint.whole_file import to_gcode
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = """# What planning and proof cost

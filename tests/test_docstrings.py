@@ -12,7 +12,18 @@ from numpydoc.validate import validate
 from pydantic import BaseModel
 
 import wireprint
-from wireprint import budget, inputs, keys, regions, settings, splicing, standing, struts, view
+from wireprint import (
+    budget,
+    inputs,
+    keys,
+    regions,
+    settings,
+    splicing,
+    standing,
+    stopped,
+    struts,
+    view,
+)
 
 #: What must not be said of any public name: undocumented parameters (PR01), parameters that are
 #: none (PR02), results that are not told (RT01), no text at all (GL08), no summary (SS01).
@@ -25,7 +36,8 @@ MODULES = {
     settings: ("describe",),
     budget: tuple(budget.__all__),
     splicing: ("splice", "Spliced"),
-    standing: ("Standing", "Stopped", "read_prints"),
+    standing: ("Standing", "read_prints"),
+    stopped: ("Stopped",),
     struts: ("Graph", "OrderedGraph", "order", "read_struts", "struts_as"),
     view: ("load", "render_png", "render_html", "strands_in", "strands_of", "thumbnails"),
 }

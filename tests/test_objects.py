@@ -11,6 +11,7 @@ import pytest
 import wireprint
 from wireprint import budget, examples, standing, struts, view
 from wireprint.regions import Predicate, Region, Sphere
+from wireprint.stopped import Stopped
 
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -65,7 +66,7 @@ def objects(mesh, made):
         budgeted.budget,
         budgeted.front[0],
         standing.Standing((("cube.gcode", made.gcode),), settings=made.settings),
-        standing.Stopped(z_mm=9.0),
+        Stopped(z_mm=9.0),
         view.load(made),
         wireprint.settings.describe()[0],
     ]
@@ -111,7 +112,7 @@ def test_every_class_that_the_library_offers_is_looked_at(objects):
     offered = [getattr(wireprint, name) for name in wireprint.__all__]
     offered += [vars(struts)[name] for name in struts.__all__]
     offered += [vars(budget)[name] for name in budget.__all__]
-    offered += [standing.Standing, standing.Stopped]
+    offered += [standing.Standing, Stopped]
     for one in offered:
         if inspect.isclass(one) and not issubclass(one, Exception):
             # A region's shapes are classes of their own, which it holds.

@@ -10,6 +10,7 @@ from click.testing import CliRunner
 import wireprint
 from wireprint import cli, standing
 from wireprint.obstacles import as_gcode
+from wireprint.stopped import Stopped, stopped_text
 
 SETTINGS = wireprint.Settings.load()
 
@@ -26,7 +27,7 @@ def whole(body):
 
 
 def stopped(made, **where):
-    text = standing.stopped_text(made.gcode, standing.Stopped(**where), SETTINGS)
+    text = stopped_text(made.gcode, Stopped(**where), SETTINGS)
     return standing.Standing((("a.gcode", text),), settings=SETTINGS)
 
 
@@ -113,8 +114,8 @@ def test_a_print_is_continued_from_wherever_it_was_stopped(whole):
     """Also where the last strand had come to nothing that holds it."""
     lines = whole.gcode.count(b"\n")
     for line in range(lines // 2, lines // 2 + 40, 3):
-        stopped = standing.Stopped(line=line)
-        text = standing.stopped_text(whole.gcode, stopped, SETTINGS)
+        stopped = Stopped(line=line)
+        text = stopped_text(whole.gcode, stopped, SETTINGS)
         stands = standing.Standing((("first.gcode", text),), settings=SETTINGS)
         again = wireprint.make(whole.mesh, SETTINGS, standing=stands)
         assert again.certificate.ok, line
@@ -126,7 +127,7 @@ def test_a_print_is_continued_from_wherever_it_was_stopped(whole):
 )
 def test_where_it_was_stopped_is_a_height_or_a_line(text, said):
     with pytest.raises(wireprint.SettingError, match=said):
-        standing.Stopped.read(text)
+        Stopped.read(text)
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from command import run
-from wireprint import examples, view, view_source, view_styles
+from wireprint import examples, view, view_camera, view_source, view_styles
 from wireprint._core import GcodeError, Scene, SettingError, Strands
 from wireprint.gcode.document import moves
 from wireprint.mesh import load_mesh
@@ -167,11 +167,11 @@ def test_a_model_is_drawn_as_shaded_triangles(tmp_path):
 @pytest.mark.parametrize("camera", ["back", "1", "1,2,3", "a,b", ""])
 def test_an_unknown_camera_is_refused(camera):
     with pytest.raises(SettingError, match="camera"):
-        view.camera_angles(camera)
+        view_camera.camera_angles(camera)
 
 
 def test_a_camera_may_be_two_angles():
-    assert view.camera_angles("-30, 12.5")[:2] == (-30.0, 12.5)
+    assert view_camera.camera_angles("-30, 12.5")[:2] == (-30.0, 12.5)
     strands = Strands.from_gcode(gcode("CONTOUR"))
     with pytest.raises(SettingError, match="elevation"):
         view.render_png(strands, camera="0,91")
@@ -214,7 +214,7 @@ def test_the_scale_bar_is_true():
     scene.add_strands(strands, view_styles.palette(strands))
     _, px_per_mm = scene.render(
         (400, 100),
-        view.CAMERAS["front"],
+        view_camera.CAMERAS["front"],
         supersample=1,
         margins=(20,) * 4,
         ground=view_styles.WHITE,

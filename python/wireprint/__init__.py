@@ -43,12 +43,13 @@ if TYPE_CHECKING:
     from wireprint.mesh import load_mesh
     from wireprint.model import Model, load_model
     from wireprint.orientation import Orientation, orient
-    from wireprint.pipeline import make, to_gcode, write_gcode
+    from wireprint.pipeline import make, write_gcode
     from wireprint.project import write_project
     from wireprint.regions import Region
     from wireprint.settings import Settings
     from wireprint.stages import toolpath, wireframe
     from wireprint.timing import estimate
+    from wireprint.whole_file import to_gcode
     from wireprint.wholeness import IncompleteError
     from wireprint.window.opening import studio
     from wireprint.wire_print import WirePrint
@@ -115,7 +116,7 @@ _HOMES = {
     "simulate": "wireprint.forecast",
     "orient": "wireprint.orientation",
     "studio": "wireprint.window.opening",
-    "to_gcode": "wireprint.pipeline",
+    "to_gcode": "wireprint.whole_file",
     "toolpath": "wireprint.stages",
     "wireframe": "wireprint.stages",
     "write_gcode": "wireprint.pipeline",

@@ -6,20 +6,18 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from wireprint.certificate import check
-from wireprint.gcode import document, file
 from wireprint.stages import toolpath
+from wireprint.whole_file import written_file
 from wireprint.wholeness import is_as_wished
 from wireprint.wire_print import WirePrint
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
     from datetime import datetime
 
     from wireprint._core import Toolpath, Wireframe
     from wireprint.certificate import Certificate
     from wireprint.clock import Clock
     from wireprint.fitting import Placed
-    from wireprint.gcode.document import Thumbnail
     from wireprint.gcode.file import Written
     from wireprint.hybrid.prove import Proved
     from wireprint.hybrid.sketch import Sketch
@@ -170,27 +168,4 @@ class Finishing:
 
             settings, started = over(settings, self.standing)
             remarks += started
-        return written(path, settings, self.date, remarks)
-
-
-def written(
-    path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
-) -> Written:
-    """Return a toolpath as a whole file, with its pictures, and its times."""
-    # The pictures take as long as all the text: they are drawn beside it.
-    return file.write(path, settings, date, _thumbnails(path, settings), remarks)
-
-
-def _thumbnails(path: Toolpath, settings: Settings) -> Callable[[], list[Thumbnail]]:
-    """Begin to draw the pictures; what is returned waits for them."""
-    sizes = settings.printer.gcode.thumbnails
-    if not sizes:
-        return list
-    from wireprint.view import begin_thumbnails
-    from wireprint.view_source import strands_of
-
-    drawn = begin_thumbnails(strands_of(path, settings), sizes)
-    # What is left of a size behind width and height is the picture's form.
-    return lambda: [
-        document.Thumbnail(*made, *size[2:]) for made, size in zip(drawn(), sizes, strict=True)
-    ]
+        return written_file(path, settings, self.date, remarks)

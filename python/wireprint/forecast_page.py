@@ -11,7 +11,8 @@ import numpy as np
 from wireprint._core import Scene, Strands
 from wireprint.forecast_scales import RULES, scale_of
 from wireprint.forecast_words import sentences, unknown
-from wireprint.view import BREACH_RADIUS_MM, camera_angles
+from wireprint.view import BREACH_RADIUS_MM
+from wireprint.view_camera import camera_angles
 from wireprint.view_html import Page
 from wireprint.view_styles import BREACH, WHITE, Entry
 

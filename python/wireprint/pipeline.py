@@ -10,14 +10,14 @@ from wireprint._core import Mesh, SettingError, UnprintableError
 from wireprint.certificate import check
 from wireprint.clock import Clock
 from wireprint.files import written_whole
-from wireprint.finishing import Finishing, NothingPlannedError, written
+from wireprint.finishing import Finishing, NothingPlannedError
 from wireprint.fitting import fitted, placed
 from wireprint.stages import origin_mm, wireframe
+from wireprint.whole_file import to_gcode
 from wireprint.wholeness import is_whole, refusal
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterable
     from datetime import datetime
 
     from wireprint._core import Toolpath, Wireframe
@@ -205,39 +205,6 @@ def _onto(mesh: Mesh, settings: Settings, standing: Standing, at_mm: Point) -> W
     if len(done) == plain.strand_count:
         raise UnprintableError("all of it stands already: there is nothing left to print")
     return plain.beyond(done)
-
-
-def to_gcode(
-    toolpath: Toolpath,
-    settings: Settings,
-    *,
-    date: datetime | None = None,
-    remarks: Iterable[str] = (),
-) -> bytes:
-    """Return a whole G-code file: header, start, moves with progress, end, footer.
-
-    Parameters
-    ----------
-    toolpath
-        The moves.
-    settings
-        The settings that they were made with.
-    date
-        Written into the file; default: as `document.dated` without a file.
-    remarks
-        Lines of the header of their own.
-
-    Returns
-    -------
-    bytes
-        The text.
-
-    Raises
-    ------
-    UnprintableError
-        A figure of a move is not finite.
-    """
-    return written(toolpath, settings, date, remarks).text
 
 
 def write_gcode(

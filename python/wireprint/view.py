@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
-from wireprint._core import Mesh, Scene, SettingError, Strands
+from wireprint._core import Mesh, Scene, Strands
 from wireprint.files import apart, written_whole
 from wireprint.text import one_line
+from wireprint.view_camera import camera_angles
 from wireprint.view_source import (
     Shown,
     Source,
@@ -38,16 +39,15 @@ from wireprint.view_styles import (
     Entry,
     legend,
     palette,
-    style_of,
 )
+from wireprint.view_thumbnails import thumbnails
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Iterable, Sequence
+    from collections.abc import Collection, Iterable, Sequence
 
     from wireprint.model import Model
 
 __all__ = (
-    "begin_thumbnails",
     "load",
     "render_html",
     "render_png",
@@ -56,47 +56,11 @@ __all__ = (
     "thumbnails",
 )
 
-#: Azimuth, elevation and field of view in degrees; a field of view of 0 is a parallel projection.
-CAMERAS: Final = {
-    "iso": (35.0, 25.0, 28.0),
-    "front": (0.0, 0.0, 0.0),
-    "side": (90.0, 0.0, 0.0),
-    "top": (0.0, 90.0, 0.0),
-}
 BREACH_RADIUS_MM: Final = 0.9
 #: Below this width a picture has no room for a legend, pixels.
 LEGEND_FROM_PX: Final = 480
 #: The picture that a page holds for browsers that cannot draw it, pixels.
 _STILL_PX: Final = (960, 720)
-
-
-def camera_angles(camera: str) -> tuple[float, float, float]:
-    """Angles of a named camera, or of ``AZIMUTH,ELEVATION``.
-
-    Parameters
-    ----------
-    camera
-        ``iso``, ``front``, ``side``, ``top``, or two numbers in degrees: azimuth about z
-        (0 is the front, 90 the right side) and elevation above the horizon.
-
-    Returns
-    -------
-    tuple
-        Azimuth, elevation and field of view, degrees.
-
-    Raises
-    ------
-    SettingError
-        It is neither.
-    """
-    if camera in CAMERAS:
-        return CAMERAS[camera]
-    try:
-        azimuth, elevation = (float(number) for number in camera.split(","))
-    except ValueError:
-        names = ", ".join(CAMERAS)
-        raise SettingError(f"camera is {camera!r}; it must be {names} or AZ,EL") from None
-    return azimuth, elevation, CAMERAS["iso"][2]
 
 
 def render_png(
@@ -307,37 +271,3 @@ def _fill_surface(scene: Scene, shown: Mesh | Model) -> list[Entry]:
     for group in found:
         scene.add_facets(group.corners.reshape(-1, 3), group.entry.colour)
     return [group.entry for group in found]
-
-
-def thumbnails(
-    strands: Strands, sizes: Iterable[Sequence[Any]] = ((32, 32), (300, 300))
-) -> list[tuple[int, int, bytes]]:
-    """Draw small pictures of the object on a transparent ground, for the head of a G-code file.
-
-    Parameters
-    ----------
-    strands
-        What is shown.
-    sizes
-        Width and height of each, pixels; with a third part, its form: ``PNG`` or ``QOI``.
-
-    Returns
-    -------
-    list
-        Width, height and file of each.
-    """
-    return begin_thumbnails(strands, sizes)()
-
-
-def begin_thumbnails(
-    strands: Strands, sizes: Iterable[Sequence[Any]]
-) -> Callable[[], list[tuple[int, int, bytes]]]:
-    """Begin to draw `thumbnails` beside other work; what is returned waits for them, once."""
-    styles = [style_of(label) for label in strands.labels]
-    objects = [style.colour if style.is_object else None for style in styles]
-    wanted = [(width, height, *(form or ["PNG"])) for width, height, *form in sizes]
-    drawn = strands.thumbnails(objects, wanted, CAMERAS["iso"], margin=1.0)
-    return lambda: [
-        (width, height, file)
-        for (width, height, _), file in zip(wanted, drawn.files(), strict=True)
-    ]

@@ -145,7 +145,7 @@ def strands_of(toolpath: Toolpath, settings: Settings) -> Strands:
     Parameters
     ----------
     toolpath, settings
-        See `wireprint.pipeline.to_gcode`.
+        See `wireprint.whole_file.to_gcode`.
 
     Returns
     -------

@@ -11,8 +11,8 @@ from wireprint import certificate
 from wireprint._core import SettingError
 from wireprint.calibration import mast, sphere, tents
 from wireprint.heads.gauge_path import Path
-from wireprint.pipeline import to_gcode
 from wireprint.timing import estimate
+from wireprint.whole_file import to_gcode
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -111,7 +111,8 @@ def _standing(
         return None
     from wireprint.gcode.source import read
     from wireprint.rules import settings_for
-    from wireprint.standing import Standing, Stopped, read_prints
+    from wireprint.standing import Standing, read_prints
+    from wireprint.stopped import Stopped
 
     settings = settings_for(read(last)[0], judge_by)
     where = None if stopped is None else Stopped.read(stopped)

@@ -90,17 +90,18 @@ class Onto:
 
     def standing(self, settings: Settings) -> Standing:
         """Read what stands."""
-        from wireprint import standing
+        from wireprint.standing import Standing, read_prints
+        from wireprint.stopped import Stopped
 
-        stopped = None if self.stopped is None else standing.Stopped.read(self.stopped)
-        prints = standing.read_prints(self.prints, settings, stopped)
+        stopped = None if self.stopped is None else Stopped.read(self.stopped)
+        prints = read_prints(self.prints, settings, stopped)
         objects = b""
         for path in self.obstacles:
             from wireprint.obstacles import as_gcode, load_object
 
             mesh, at_mm = load_object(path)
             objects += as_gcode(mesh, settings, at_mm)
-        return standing.Standing(prints, objects, settings)
+        return Standing(prints, objects, settings)
 
 
 def onto_from(options: dict[str, Any]) -> Onto:

@@ -10,7 +10,7 @@ from wireprint import certificate
 from wireprint._core import SettingError
 from wireprint.heads.gauge import FEWEST_ROOFS, Gauge
 from wireprint.heads.gauge_path import Path, drawn
-from wireprint.pipeline import to_gcode
+from wireprint.whole_file import to_gcode
 
 if TYPE_CHECKING:
     from wireprint.settings import Settings

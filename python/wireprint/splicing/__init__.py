@@ -12,7 +12,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from wireprint import standing
 from wireprint._core import UnprintableError
 from wireprint.certificate import check
 from wireprint.fitting import fitted
@@ -22,6 +21,8 @@ from wireprint.splicing.handover import Layers
 from wireprint.splicing.runs import without_priming
 from wireprint.splicing.supports import barred, carrying
 from wireprint.stages import origin_mm, toolpath, wireframe
+from wireprint.standing import Standing
+from wireprint.stopped import Stopped, stopped_text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -132,8 +133,8 @@ def _spliced(
     given = Layers(layers, name, settings)
     below = None
     if at_mm[2] > 0:
-        text = standing.stopped_text(layers, standing.Stopped(z_mm=at_mm[2]), settings)
-        below = standing.Standing(((name, text),), settings=settings)
+        text = stopped_text(layers, Stopped(z_mm=at_mm[2]), settings)
+        below = Standing(((name, text),), settings=settings)
     body = fitted(mesh, settings).mesh
     frame = wireframe(body, settings, None, below, at_mm, bearing=supports)
     if supports:

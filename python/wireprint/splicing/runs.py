@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from wireprint import _core, standing
+from wireprint import _core
 from wireprint._core import KINDS, Toolpath
+from wireprint.alongside import SAME_MM
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -78,7 +79,7 @@ def runs_of(path: Toolpath, core: _core.Certificate, lines: Sequence[bytes]) -> 
     run: Run | None = None
     for first, end, level in _parts(path):
         # A strand lies below a part if the part can stand on it: half a step of rounding aside.
-        above = np.flatnonzero(tops > level + standing.SAME_MM)
+        above = np.flatnonzero(tops > level + SAME_MM)
         count = int(above[0]) if len(above) else len(tops)
         line = int(core.strand_lines[count - 1]) if count else _prepared(core, lines)
         top = max(tops[:count].max(initial=0.0), path.to[:first, 2].max(initial=0.0))
@@ -100,7 +101,7 @@ def _parts(path: Toolpath) -> Iterator[tuple[int, int, float]]:
     strands = np.flatnonzero(_is_strand(path.kind))
     from_z = np.concatenate([[path.start[2]], path.to[:-1, 2]])[strands]
     heights = np.column_stack([from_z, path.to[strands, 2]])
-    rises = np.ptp(heights, axis=1) > standing.SAME_MM
+    rises = np.ptp(heights, axis=1) > SAME_MM
     slabs = path.slab[strands]
     bounds = np.flatnonzero(np.diff(slabs, prepend=slabs[:1] + 1, append=slabs[-1:] + 1))
     for begin, end in itertools.pairwise(bounds.tolist()):

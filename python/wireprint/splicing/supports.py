@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import shapely
 
-from wireprint import _core, standing
+from wireprint import _core
 from wireprint._core import KINDS, UnprintableError
+from wireprint.alongside import SAME_MM, lying_along
 from wireprint.layerwise.areas import of_slices
 from wireprint.struts.supports import parts
 
@@ -71,8 +72,8 @@ def _within(
     areas = sections[slabs.clip(0, len(sections) - 1)]
     within = shapely.contains_xy(areas[:, None], ends[..., 0], ends[..., 1])
     inside: npt.NDArray[np.bool_] = within.all(axis=1)
-    rises = np.ptp(ends[..., 2], axis=1) > standing.SAME_MM
-    steps = np.round(ends[inside].reshape(-1, 3) / standing.SAME_MM)
+    rises = np.ptp(ends[..., 2], axis=1) > SAME_MM
+    steps = np.round(ends[inside].reshape(-1, 3) / SAME_MM)
     _, nodes = np.unique(steps, axis=0, return_inverse=True)
     edges = nodes.reshape(-1, 2)
     part = parts(len(edges) * 2, edges)[edges[:, 0]]
@@ -106,4 +107,4 @@ def barred(frame: Wireframe, certificate: Certificate, origin_mm: Point) -> list
     named = [number for number, name in enumerate(core.features) if name == KINDS[_SUPPORT]]
     blamed = np.isin(core.strand_lines, [line for line in lines if line is not None])
     blamed &= np.isin(core.strand_features, named)
-    return standing.lying_along(frame, origin_mm, core.strands[blamed])
+    return lying_along(frame, origin_mm, core.strands[blamed])

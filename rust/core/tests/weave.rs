@@ -6,7 +6,8 @@ mod solids;
 
 use glam::{DVec2, DVec3};
 use solids::Random;
-use wireprint_core::geometry::curve::{Curve, Station};
+use wireprint_core::geometry::curve::Curve;
+use wireprint_core::geometry::station::Station;
 use wireprint_core::head::Head;
 use wireprint_core::stroke::Strokes;
 use wireprint_core::wireframe::place::candidates::{Begin, candidates};

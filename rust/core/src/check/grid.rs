@@ -9,6 +9,8 @@ use std::ops::{ControlFlow, Range};
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::buckets::Buckets;
+
 /// Preferred size of a cell, mm: a few strand diameters, about the reach of a flank.
 const CELL_MM: f64 = 4.0;
 
@@ -63,8 +65,7 @@ pub(crate) struct StrandGrid {
     rows: usize,
     /// Number of strands.
     strands: usize,
-    starts: Vec<usize>,
-    entries: Vec<Entry>,
+    entries: Buckets<Entry>,
 }
 
 impl StrandGrid {
@@ -79,42 +80,21 @@ impl StrandGrid {
             columns,
             rows,
             strands: strands.len(),
-            starts: vec![0; columns * rows + 1],
-            entries: Vec::new(),
+            entries: Buckets::default(),
         };
-        grid.count(strands);
-        grid.fill(strands);
+        grid.entries = Buckets::new(columns * rows, |sorter| {
+            for (strand, ends) in (0_u32..).zip(strands) {
+                grid.every(*ends, |Visit { cell, first, below, .. }| {
+                    sorter.put(cell, Entry { strand, first, below, ..Entry::default() });
+                });
+            }
+        });
         grid.bound(strands);
         grid
     }
 
-    fn count(&mut self, strands: &[[DVec3; 2]]) {
-        let mut counts = vec![0_usize; self.columns * self.rows];
-        for strand in strands {
-            self.every(*strand, |visit| counts[visit.cell] += 1);
-        }
-        let mut total = 0;
-        for (start, count) in self.starts.iter_mut().skip(1).zip(counts) {
-            total += count;
-            *start = total;
-        }
-    }
-
-    fn fill(&mut self, strands: &[[DVec3; 2]]) {
-        let mut next = self.starts.clone();
-        let mut entries = vec![Entry::default(); *self.starts.last().unwrap_or(&0)];
-        for (strand, ends) in (0_u32..).zip(strands) {
-            self.every(*ends, |Visit { cell, first, below, .. }| {
-                entries[next[cell]] = Entry { strand, first, below, ..Entry::default() };
-                next[cell] += 1;
-            });
-        }
-        self.entries = entries;
-    }
-
     fn bound(&mut self, strands: &[[DVec3; 2]]) {
-        for cell in self.starts.windows(2) {
-            let entries = &mut self.entries[cell[0]..cell[1]];
+        for entries in self.entries.each_mut() {
             let mut ceiling = f64::NEG_INFINITY;
             for entry in &mut *entries {
                 let [a, b] = strands[entry.strand as usize];
@@ -155,7 +135,7 @@ impl StrandGrid {
         mut found: impl FnMut(u32) -> ControlFlow<()>,
     ) {
         let _ = self.visit(segment, reach, |visit| {
-            let entries = self.cell(visit.cell);
+            let entries = self.entries.of(visit.cell);
             let end = self.position(entries, before);
             for entry in entries[..end].iter().rev() {
                 if entry.ceiling <= height {
@@ -180,7 +160,7 @@ impl StrandGrid {
         mut test: impl FnMut(u32) -> bool,
     ) -> bool {
         let search = self.visit([point, point], DVec2::splat(reach), |visit| {
-            let entries = self.cell(visit.cell);
+            let entries = self.entries.of(visit.cell);
             let begin = self.position(entries, after + 1);
             let mut later = entries[begin..].iter().take_while(|entry| entry.floor <= height);
             if later.any(|entry| test(entry.strand)) {
@@ -189,10 +169,6 @@ impl StrandGrid {
             ControlFlow::Continue(())
         });
         search.is_break()
-    }
-
-    fn cell(&self, cell: usize) -> &[Entry] {
-        &self.entries[self.starts[cell]..self.starts[cell + 1]]
     }
 
     /// Number of a cell's entries before strand `strand`.

@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
 use super::triangle::Triangle;
+use crate::geometry::buckets::Buckets;
 
 /// Points of a column that has some, on average.
 const POINTS: f64 = 4.0;
@@ -28,9 +29,8 @@ pub(super) struct Columns {
     /// Lowest of all points, mm.
     bottom: f64,
     slack: f64,
-    starts: Vec<u32>,
-    /// Points with their numbers, column by column.
-    points: Vec<(DVec3, u32)>,
+    /// Points with their numbers, by column.
+    points: Buckets<(DVec3, u32)>,
 }
 
 /// A rectangle in columns.
@@ -97,36 +97,11 @@ impl Columns {
         points.iter().for_each(|&(p, _)| occupied[coarse.column(p)] = true);
         let occupied = occupied.into_iter().filter(|&some| some).count() as f64;
         let finer = (points.len() as f64 / (POINTS * occupied)).sqrt();
-        let mut columns = Self {
-            axis,
-            grid: ColumnGrid::new(low.xy(), high.xy(), (COARSE * finer).clamp(1.0, MOST)),
-            bottom: low.z,
-            slack: SLACK * extent,
-            starts: Vec::new(),
-            points: Vec::new(),
-        };
-        columns.fill(&points);
-        Some(columns)
-    }
-
-    fn fill(&mut self, points: &[(DVec3, u32)]) {
-        let mut starts = vec![0_u32; self.grid.count() + 1];
-        for &(p, _) in points {
-            starts[self.grid.column(p) + 1] += 1;
-        }
-        let mut total = 0;
-        for start in &mut starts {
-            total += *start;
-            *start = total;
-        }
-        let mut next = starts.clone();
-        let mut sorted = vec![(DVec3::ZERO, 0); points.len()];
-        for &(p, number) in points {
-            let slot = &mut next[self.grid.column(p)];
-            sorted[*slot as usize] = (p, number);
-            *slot += 1;
-        }
-        (self.starts, self.points) = (starts, sorted);
+        let grid = ColumnGrid::new(low.xy(), high.xy(), (COARSE * finer).clamp(1.0, MOST));
+        let points = Buckets::new(grid.count(), |sorter| {
+            points.iter().for_each(|point| sorter.put(grid.column(point.0), *point));
+        });
+        Some(Self { axis, grid, bottom: low.z, slack: SLACK * extent, points })
     }
 
     /// Calls `found` with each point that lies behind a triangle (below it, if the axis is z), and
@@ -151,9 +126,7 @@ impl Columns {
             let columns = if few { Some(columns.clone()) } else { self.reach(corners, row) };
             let Some(columns) = columns else { continue };
             let row = row * grid.counts[0];
-            let first = self.starts[row + columns.start] as usize;
-            let end = self.starts[row + columns.end] as usize;
-            for &(p, number) in &self.points[first..end] {
+            for &(p, number) in self.points.across(row + columns.start..row + columns.end) {
                 if p.z < high.z {
                     let winding = winding(corners, p);
                     if winding != 0 && (p.z < low.z || p.z < height(corners, p)) {

@@ -4,6 +4,9 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use crate::geometry::buckets::Buckets;
+use crate::geometry::space::distance_squared;
+
 /// Most cubes of a grid; more would cost more to clear than they save.
 const MOST_CELLS: f64 = 2e6;
 
@@ -17,8 +20,7 @@ pub(super) struct SegmentGrid<'a> {
     low: DVec3,
     size: f64,
     counts: [usize; 3],
-    starts: Vec<u32>,
-    entries: Vec<u32>,
+    entries: Buckets<u32>,
 }
 
 impl<'a> SegmentGrid<'a> {
@@ -28,39 +30,19 @@ impl<'a> SegmentGrid<'a> {
         let size = within.max((extent.element_product() / MOST_CELLS).cbrt());
         let counts = (extent / size).ceil().max(DVec3::ONE);
         let counts = counts.to_array().map(|count| count as usize);
-        let mut grid =
-            Self { segments, within, low, size, counts, starts: Vec::new(), entries: Vec::new() };
-        grid.fill();
+        let mut grid = Self { segments, within, low, size, counts, entries: Buckets::default() };
+        grid.entries = Buckets::new(counts.iter().product(), |sorter| {
+            for (index, &segment) in (0..).zip(segments) {
+                grid.visit(segment, |cell| sorter.put(cell, index));
+            }
+        });
         grid
-    }
-
-    fn fill(&mut self) {
-        let mut starts = vec![0_u32; self.counts.iter().product::<usize>() + 1];
-        for &segment in self.segments {
-            self.visit(segment, |cell| starts[cell + 1] += 1);
-        }
-        let mut total = 0;
-        for start in &mut starts {
-            total += *start;
-            *start = total;
-        }
-        let mut next = starts.clone();
-        let mut entries = vec![0; total as usize];
-        for (index, &segment) in (0..).zip(self.segments) {
-            self.visit(segment, |cell| {
-                entries[next[cell] as usize] = index;
-                next[cell] += 1;
-            });
-        }
-        self.starts = starts;
-        self.entries = entries;
     }
 
     /// A segment within the distance of a point: `guess`, if that is one, or any.
     pub(super) fn near(&self, point: DVec3, guess: Option<u32>) -> Option<u32> {
         let near = |index: u32| {
-            let [a, b] = self.segments[index as usize];
-            distance_squared(point, a, b) <= self.within * self.within
+            distance_squared(point, self.segments[index as usize]) <= self.within * self.within
         };
         if let Some(index) = guess.filter(|&index| near(index)) {
             return Some(index);
@@ -72,9 +54,8 @@ impl<'a> SegmentGrid<'a> {
         for z in zs {
             for y in ys.clone() {
                 let row = (z * self.counts[1] + y) * self.counts[0];
-                let first = self.starts[row + xs.start] as usize;
-                let end = self.starts[row + xs.end] as usize;
-                if let Some(&found) = self.entries[first..end].iter().find(|&&index| near(index)) {
+                let held = self.entries.across(row + xs.start..row + xs.end);
+                if let Some(&found) = held.iter().find(|&&index| near(index)) {
                     return Some(found);
                 }
             }
@@ -116,12 +97,4 @@ impl<'a> SegmentGrid<'a> {
         let end = (((high + SLACK_MM) / self.size).floor() + 1.0).clamp(first, count);
         first as usize..end as usize
     }
-}
-
-/// Squared distance of a point from a segment.
-fn distance_squared(p: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let (run, offset) = (b - a, p - a);
-    let squared = run.length_squared();
-    let u = if squared > 0.0 { (offset.dot(run) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    (offset - u * run).length_squared()
 }

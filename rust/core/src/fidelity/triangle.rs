@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::geometry::space;
+
 /// Three corners, mm.
 pub(super) type Triangle = [DVec3; 3];
 
@@ -22,9 +24,7 @@ pub(super) fn distance_squared(p: DVec3, [a, b, c]: Triangle) -> f64 {
         let (run, offset) = (to - from, p - from);
         if normal.dot(run.cross(offset)) <= 0.0 {
             inside = false;
-            let squared = run.length_squared();
-            let u = if squared > 0.0 { (offset.dot(run) / squared).clamp(0.0, 1.0) } else { 0.0 };
-            nearest = nearest.min((offset - u * run).length_squared());
+            nearest = nearest.min(space::distance_squared(p, [from, to]));
         }
     }
     if inside {

@@ -10,6 +10,7 @@ use glam::DVec3;
 
 use super::arc::{self, Fineness};
 use super::command::{ArcPlane, Axes, CentreWords, Command, Words};
+use super::coordinates::Coordinates;
 use super::dialect::Dialect;
 use super::event::{Event, Step};
 use super::extruder::Extruder;
@@ -18,8 +19,6 @@ use super::feedrate::Feedrate;
 use super::homing::Homing;
 use super::line::parse_line;
 use super::retraction::Retraction;
-
-const MM_PER_INCH: f64 = 25.4;
 
 /// Chords that the arcs of a text may come to where only their shape matters: so many, and so many
 /// more for each line, so that memory grows with the text and not with the radii in it.
@@ -45,23 +44,14 @@ pub struct MachineSettings {
 #[derive(Debug, Clone)]
 pub struct Machine {
     settings: MachineSettings,
-    /// Where the head is, mm.
-    position: DVec3,
-    /// What G92 and a hop added: machine coordinate minus the file's, mm.
-    offset: DVec3,
-    /// Part of the offset that is a hop of G10, mm.
-    hop: f64,
+    coordinates: Coordinates,
     /// Filament that G10 holds back, mm.
     retracted: Option<f64>,
     retraction: Retraction,
-    relative: bool,
     extruder: Extruder,
     plane: ArcPlane,
-    mm_per_unit: f64,
     feed: Feedrate,
     tool: u32,
-    /// Which of X, Y and Z know where they are.
-    homed: [bool; 3],
     chords: u64,
     features: Features,
 }
@@ -72,18 +62,13 @@ impl Machine {
     pub fn new(settings: MachineSettings) -> Self {
         Self {
             settings,
-            position: DVec3::ZERO,
-            offset: DVec3::ZERO,
-            hop: 0.0,
+            coordinates: Coordinates::new(),
             retracted: None,
             retraction: settings.retraction,
-            relative: false,
             extruder: Extruder::new(settings.relative_extrusion),
             plane: ArcPlane::Xy,
-            mm_per_unit: 1.0,
             feed: Feedrate::new(),
             tool: 0,
-            homed: [false; 3],
             chords: 0,
             features: Features::new(),
         }
@@ -99,7 +84,7 @@ impl Machine {
     /// Where the head is, mm.
     #[must_use]
     pub fn position(&self) -> DVec3 {
-        self.position
+        self.coordinates.at
     }
 
     /// Reading of the extruder's axis, in the unit that the text feeds in, and whether E counts from
@@ -119,27 +104,24 @@ impl Machine {
     /// axes), in mm, and neither feed nor filament is scaled.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        !self.relative
-            && self.offset == DVec3::ZERO
-            && [self.mm_per_unit, self.feed.factor] == [1.0; 2]
-            && self.extruder.is_plain()
+        self.coordinates.is_plain() && self.feed.factor == 1.0 && self.extruder.is_plain()
     }
 
     /// Whether coordinates count from the last move (G91).
     #[must_use]
     pub fn is_relative(&self) -> bool {
-        self.relative
+        self.coordinates.relative
     }
 
     /// Which of X, Y and Z were homed, and have kept their motors on since.
     #[must_use]
     pub fn homed(&self) -> [bool; 3] {
-        self.homed
+        self.coordinates.homed
     }
 
     /// Something that is not known here has homed all axes.
     pub fn assume_homed(&mut self) {
-        self.homed = [true; 3];
+        self.coordinates.homed = [true; 3];
     }
 
     /// Applies one command and reports what comes of it.
@@ -169,10 +151,10 @@ impl Machine {
         axes: &Axes,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        if !self.feed.set(axes.f, self.mm_per_unit) {
+        if !self.feed.set(axes.f, self.coordinates.mm_per_unit) {
             report(Event::Word(b'F'));
         }
-        let to = self.target(axes);
+        let to = self.coordinates.target(axes);
         let filament = if axes.e.is_some() { self.feed_filament(axes.e) } else { 0.0 };
         self.step(line, rapid, to, filament, report);
     }
@@ -186,11 +168,11 @@ impl Machine {
         filament: f64,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        let from = self.position;
+        let from = self.coordinates.at;
         if from == to && filament == 0.0 {
             return;
         }
-        self.position = to;
+        self.coordinates.at = to;
         let speed = self.feed.speed();
         let feature = self.features.current;
         report(Event::Step(Step {
@@ -213,13 +195,13 @@ impl Machine {
         centre: CentreWords,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        if !self.feed.set(axes.f, self.mm_per_unit) {
+        if !self.feed.set(axes.f, self.coordinates.mm_per_unit) {
             report(Event::Word(b'F'));
         }
-        let from = self.position;
-        let to = self.target(axes);
+        let from = self.coordinates.at;
+        let to = self.coordinates.target(axes);
         let filament = self.feed_filament(axes.e);
-        let centre = arc::Centre::new(centre, self.mm_per_unit);
+        let centre = arc::Centre::new(centre, self.coordinates.mm_per_unit);
         let path = arc::Arc { from, to, centre, clockwise, plane: self.plane };
         let points = path.chords(self.settings.arcs);
         let pieces = points.pieces();
@@ -255,7 +237,10 @@ impl Machine {
                 let mut named = [x, y, z];
                 // Klipper knows no O, and homes.
                 if if_needed && self.settings.dialect == Dialect::Marlin {
-                    named.iter_mut().zip(self.homed).for_each(|(axis, home)| *axis &= !home);
+                    named
+                        .iter_mut()
+                        .zip(self.coordinates.homed)
+                        .for_each(|(axis, home)| *axis &= !home);
                 }
                 if named != [false; 3] {
                     self.home(line, named, report);
@@ -282,11 +267,11 @@ impl Machine {
         match *command {
             Command::ArcPlane(plane, _) => self.plane = plane,
             Command::Units { inches, .. } => {
-                self.mm_per_unit = if inches { MM_PER_INCH } else { 1.0 };
+                self.coordinates.count_in(inches);
                 report(Event::Other(*command));
             }
             Command::Positioning { relative, .. } => {
-                self.relative = relative;
+                self.coordinates.relative = relative;
                 // Of E that must be relative G90 says nothing: a macro did, before or behind it.
                 if self.settings.dialect == Dialect::Marlin {
                     self.extruder.relative = relative || self.settings.relative_extrusion;
@@ -309,7 +294,7 @@ impl Machine {
             }
             // Without power no motor keeps its place.
             Command::M(81, _) => {
-                self.homed = [false; 3];
+                self.coordinates.homed = [false; 3];
                 report(Event::Other(*command));
             }
             // Refused, or a standstill: firmwares differ in what nothing or less per cent is.
@@ -337,11 +322,10 @@ impl Machine {
         words: Words<'a>,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        let hop = DVec3::Z * self.hop;
-        if self.settings.dialect == Dialect::Klipper || self.offset != hop {
+        if self.settings.dialect == Dialect::Klipper || self.coordinates.is_shifted() {
             report(Event::Other(*command));
         }
-        let offset = std::mem::replace(&mut self.offset, hop);
+        let origin = self.coordinates.count_natively();
         match parse_line(words.0) {
             Some(Command::Linear { rapid, axes, other: None }) => {
                 self.straight(line, rapid, &axes, report);
@@ -351,7 +335,7 @@ impl Machine {
             }
             _ => report(Event::Other(*command)),
         }
-        self.offset = offset;
+        self.coordinates.count_from(origin);
     }
 
     fn retract<'a>(&mut self, line: u64, words: Words<'_>, report: &mut impl FnMut(Event<'a>)) {
@@ -369,7 +353,7 @@ impl Machine {
     fn unretract<'a>(&mut self, line: u64, report: &mut impl FnMut(Event<'a>)) {
         if let Some(length) = self.retracted.take() {
             let Retraction { extra, recover_speed, .. } = self.retraction;
-            self.lift(line, -self.hop, report);
+            self.lift(line, -self.coordinates.hop(), report);
             self.filament_only(line, length + extra, recover_speed, report);
         }
     }
@@ -382,7 +366,7 @@ impl Machine {
         speed: f64,
         report: &mut impl FnMut(Event<'a>),
     ) {
-        let (at, feature) = (self.position, self.features.current);
+        let (at, feature) = (self.coordinates.at, self.features.current);
         if filament != 0.0 {
             let (from, to, rapid, homing) = (at, at, false, false);
             report(Event::Step(Step { line, from, to, filament, speed, rapid, homing, feature }));
@@ -391,9 +375,7 @@ impl Machine {
 
     /// Lifts the head, and with it all that follows.
     fn lift<'a>(&mut self, line: u64, by: f64, report: &mut impl FnMut(Event<'a>)) {
-        self.hop += by;
-        self.offset.z += by;
-        let to = self.position + DVec3::Z * by;
+        let to = self.coordinates.raise(by);
         self.step(line, false, to, 0.0, report);
     }
 
@@ -406,37 +388,20 @@ impl Machine {
         seconds.unwrap_or(0.0).max(0.0)
     }
 
-    #[inline]
-    fn target(&self, axes: &Axes) -> DVec3 {
-        DVec3::new(
-            self.coordinate(axes.x, self.position.x, self.offset.x),
-            self.coordinate(axes.y, self.position.y, self.offset.y),
-            self.coordinate(axes.z, self.position.z, self.offset.z),
-        )
-    }
-
-    #[inline]
-    fn coordinate(&self, word: Option<f64>, position: f64, offset: f64) -> f64 {
-        match word {
-            None => position,
-            Some(value) if self.relative => position + value * self.mm_per_unit,
-            Some(value) => value * self.mm_per_unit + offset,
-        }
-    }
-
     /// Moves the extruder's axis and returns the filament that this feeds, mm.
     #[inline]
     fn feed_filament(&mut self, word: Option<f64>) -> f64 {
         let Some(value) = word else { return 0.0 };
-        let value = value * self.mm_per_unit;
-        self.extruder.feed(value, self.relative && self.settings.dialect == Dialect::Klipper)
+        let value = value * self.coordinates.mm_per_unit;
+        self.extruder
+            .feed(value, self.coordinates.relative && self.settings.dialect == Dialect::Klipper)
     }
 
     fn home<'a>(&mut self, line: u64, named: [bool; 3], report: &mut impl FnMut(Event<'a>)) {
         let homing = self.settings.homing;
         let (speed, feature) = (self.feed.written, self.features.current);
-        for to in homing.strokes(self.position, named).iter() {
-            let from = std::mem::replace(&mut self.position, to);
+        for to in homing.strokes(self.coordinates.at, named).iter() {
+            let from = std::mem::replace(&mut self.coordinates.at, to);
             if from != to {
                 let (filament, rapid, homing) = (0.0, true, true);
                 report(Event::Homing(Step {
@@ -452,15 +417,7 @@ impl Machine {
             }
         }
         let home = homing.homes(named);
-        for (axis, home) in home.into_iter().enumerate() {
-            if home {
-                self.offset[axis] = 0.0;
-                self.homed[axis] = true;
-            }
-        }
-        if home[2] {
-            self.hop = 0.0;
-        }
+        self.coordinates.reach_home(home);
         report(Event::Home(home));
     }
 
@@ -468,22 +425,16 @@ impl Machine {
     /// words.
     fn release(&mut self, words: Words<'_>) {
         let all = words.letters().next().is_none() || self.settings.dialect == Dialect::Klipper;
-        for (homed, letter) in self.homed.iter_mut().zip(*b"XYZ") {
-            *homed &= !(all || words.has(letter));
-        }
+        self.coordinates.release(words, all);
     }
 
     /// G92; without a word every axis reads zero.
     fn set_position(&mut self, axes: &Axes, others: bool) {
         let words = [axes.x, axes.y, axes.z];
         let bare = !others && axes.e.is_none() && words.iter().all(Option::is_none);
-        for (axis, word) in words.into_iter().enumerate() {
-            if let Some(value) = if bare { Some(0.0) } else { word } {
-                self.offset[axis] = self.position[axis] - value * self.mm_per_unit;
-            }
-        }
+        self.coordinates.set(if bare { [Some(0.0); 3] } else { words });
         if let Some(value) = if bare { Some(0.0) } else { axes.e } {
-            self.extruder.reading = value * self.mm_per_unit;
+            self.extruder.reading = value * self.coordinates.mm_per_unit;
         }
     }
 }

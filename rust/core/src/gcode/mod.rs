@@ -2,6 +2,7 @@
 
 pub mod arc;
 pub mod command;
+mod coordinates;
 pub mod dialect;
 pub mod event;
 mod extruder;

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::geometry::space::distance_squared;
+
 /// For each of `parts` the number of the segment that both its ends lie nearest to, the first of
 /// several; `None` where that is farther than `within` mm.
 ///
@@ -19,7 +21,7 @@ pub fn holding(segments: &[[DVec3; 2]], parts: &[[DVec3; 2]], within: f64) -> Ve
             if !ends.iter().all(|end| low.cmple(*end).all() && end.cmple(high).all()) {
                 continue;
             }
-            let off = ends.map(|end| distance(end, [a, b])).into_iter().fold(0.0, f64::max);
+            let off = distance(ends, [a, b]);
             if off <= within && nearest[part].is_none_or(|(least, _)| off < least) {
                 nearest[part] = Some((off, number));
             }
@@ -28,11 +30,9 @@ pub fn holding(segments: &[[DVec3; 2]], parts: &[[DVec3; 2]], within: f64) -> Ve
     nearest.into_iter().map(|found| found.map(|(_, number)| number)).collect()
 }
 
-fn distance(p: DVec3, [a, b]: [DVec3; 2]) -> f64 {
-    let run = b - a;
-    let square = run.length_squared();
-    let share = if square > 0.0 { ((p - a).dot(run) / square).clamp(0.0, 1.0) } else { 0.0 };
-    p.distance(a + share * run)
+/// Distance of the farther end of a part from a segment, mm.
+fn distance(part: [DVec3; 2], ends: [DVec3; 2]) -> f64 {
+    part.map(|end| distance_squared(end, ends)).into_iter().fold(0.0, f64::max).sqrt()
 }
 
 #[cfg(test)]
@@ -59,9 +59,7 @@ mod tests {
         ) {
             let found = holding(&segments, &parts, within);
             for (part, found) in parts.iter().zip(found) {
-                let off = |ends: &[DVec3; 2]| {
-                    distance(part[0], *ends).max(distance(part[1], *ends))
-                };
+                let off = |ends: &[DVec3; 2]| distance(*part, *ends);
                 let least = segments.iter().map(off).fold(f64::INFINITY, f64::min);
                 let first = segments.iter().position(|ends| off(ends) == least);
                 prop_assert_eq!(found, first.filter(|_| least <= within));

@@ -1,5 +1,6 @@
 //! Geometry, mostly of the plane, that every stage shares; it knows of no stage.
 
+pub mod buckets;
 pub mod cells;
 pub mod curve;
 pub mod disjoint_sets;
@@ -13,4 +14,6 @@ pub mod passing;
 pub mod polygon;
 pub mod polyline;
 pub mod segments;
+pub mod space;
+pub mod station;
 pub mod tour;

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use crate::geometry::buckets::Buckets;
 use crate::geometry::cells::Cells;
 use crate::geometry::polyline::segment_distance;
 
@@ -13,9 +14,8 @@ const ROUNDING: f64 = 1e-6;
 pub struct Passing {
     segments: Vec<[DVec2; 2]>,
     cells: Cells,
-    /// The numbers of the segments in each cell, cell by cell, and where each cell's begin.
-    held: Vec<u32>,
-    begins: Vec<u32>,
+    /// The numbers of the segments in each cell.
+    held: Buckets<u32>,
 }
 
 impl Passing {
@@ -29,22 +29,12 @@ impl Passing {
         let side = (size.x * size.y / count).sqrt().max((size.x + size.y) / count);
         let side = if side.is_normal() { side } else { 1.0 };
         let cells = Cells::new(low, high, side);
-        let mut begins = vec![0_u32; cells.count() + 1];
-        for &[a, b] in &segments {
-            passed(&cells, a, b, |cell| begins[cell + 1] += 1);
-        }
-        for cell in 0..cells.count() {
-            begins[cell + 1] += begins[cell];
-        }
-        let mut free = begins.clone();
-        let mut held = vec![0; begins[cells.count()] as usize];
-        for (&[a, b], number) in segments.iter().zip(0..) {
-            passed(&cells, a, b, |cell| {
-                held[free[cell] as usize] = number;
-                free[cell] += 1;
-            });
-        }
-        Self { segments, cells, held, begins }
+        let held = Buckets::new(cells.count(), |sorter| {
+            for (&[a, b], number) in segments.iter().zip(0..) {
+                passed(&cells, a, b, |cell| sorter.put(cell, number));
+            }
+        });
+        Self { segments, cells, held }
     }
 
     /// Whether one of the segments whose number `counts` passes within `reach` mm of a place.
@@ -54,8 +44,7 @@ impl Passing {
             return false;
         }
         self.cells.numbers(p - reach, p + reach).any(|cell| {
-            let held = self.begins[cell] as usize..self.begins[cell + 1] as usize;
-            self.held[held].iter().any(|&number| {
+            self.held.of(cell).iter().any(|&number| {
                 let [a, b] = self.segments[number as usize];
                 counts(number as usize) && segment_distance(p, a, b) <= reach
             })
@@ -122,6 +111,6 @@ mod tests {
         let at = |i: i32| DVec2::new(f64::from(i), 0.0);
         let hatch: Vec<[DVec2; 2]> = (0..100).map(|i| [at(i), at(i) + 100.0]).collect();
         let passing = Passing::new(hatch);
-        assert!(passing.held.len() < 4 * 2 * 100 * passing.cells.rows());
+        assert!(passing.held.values().len() < 4 * 2 * 100 * passing.cells.rows());
     }
 }

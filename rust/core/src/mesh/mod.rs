@@ -19,6 +19,7 @@ mod slivers;
 mod stitch;
 mod surface;
 pub mod topology;
+pub mod vertex_key;
 pub mod weld;
 mod winding;
 

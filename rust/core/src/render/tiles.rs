@@ -2,13 +2,14 @@
 
 use std::ops::Range;
 
+use crate::geometry::buckets::Buckets;
+
 /// Side of a tile, pixels.
 pub(super) const SIDE: usize = 32;
 
-/// Lists of primitives per tile, in the scene's order: flat indices and offsets.
+/// The primitives of each tile, in the scene's order.
 pub(super) struct Tiles {
-    offsets: Vec<usize>,
-    entries: Vec<u32>,
+    entries: Buckets<u32>,
     columns: usize,
 }
 
@@ -21,29 +22,17 @@ impl Tiles {
         rows: usize,
         cover: impl Fn(&P, &mut dyn FnMut(usize, usize)),
     ) -> Self {
-        let mut offsets = vec![0_usize; columns * rows + 1];
-        for (_, primitive) in primitives.clone() {
-            cover(primitive, &mut |x, y| offsets[y * columns + x + 1] += 1);
-        }
-        for i in 1..offsets.len() {
-            offsets[i] += offsets[i - 1];
-        }
-        let mut next = offsets.clone();
-        let mut entries = vec![0_u32; offsets.last().copied().unwrap_or(0)];
-        for (index, primitive) in primitives {
-            cover(primitive, &mut |x, y| {
-                let slot = &mut next[y * columns + x];
-                entries[*slot] = index;
-                *slot += 1;
-            });
-        }
-        Self { offsets, entries, columns }
+        let entries = Buckets::new(columns * rows, |sorter| {
+            for (index, primitive) in primitives.clone() {
+                cover(primitive, &mut |x, y| sorter.put(y * columns + x, index));
+            }
+        });
+        Self { entries, columns }
     }
 
     /// The primitives that may touch a tile.
     pub(super) fn at(&self, column: usize, row: usize) -> &[u32] {
-        let tile = row * self.columns + column;
-        &self.entries[self.offsets[tile]..self.offsets[tile + 1]]
+        self.entries.of(row * self.columns + column)
     }
 }
 

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use crate::geometry::buckets::Buckets;
 use crate::geometry::disjoint_sets::UnionFind;
 use crate::mesh::{Mesh, NO_FACE};
 
@@ -160,7 +161,7 @@ struct Pair {
 /// regions) are listed too, for they use up saddles.
 fn sweep(order: &VertexOrder, sweep: SweepWay) -> Vec<Pair> {
     let count = order.vertices.len();
-    let (begins, firsts) = joins(order, sweep);
+    let firsts = joins(order, sweep);
     // Components are sets of turns, each rooted at its oldest.
     let mut sets = UnionFind::new(count);
     let mut pairs = Vec::new();
@@ -170,7 +171,7 @@ fn sweep(order: &VertexOrder, sweep: SweepWay) -> Vec<Pair> {
     };
     for late in 0..count {
         let mut root = late as u32;
-        for &first in &firsts[begins[late] as usize..begins[late + 1] as usize] {
+        for &first in firsts.of(late) {
             let other = sets.find(first);
             let (elder, extremum) = (root.min(other), root.max(other));
             if elder != extremum {
@@ -184,7 +185,7 @@ fn sweep(order: &VertexOrder, sweep: SweepWay) -> Vec<Pair> {
     }
     // A vertex without faces is no extremum.
     let mut has_faces = vec![false; count];
-    for &first in &firsts {
+    for &first in firsts.values() {
         has_faces[first as usize] = true;
     }
     let last = |&turn: &u32| sets.find(turn) == turn && has_faces[turn as usize];
@@ -192,27 +193,15 @@ fn sweep(order: &VertexOrder, sweep: SweepWay) -> Vec<Pair> {
     pairs
 }
 
-/// For each turn of a sweep, the earlier turns that are joined with it, and where they begin: two
-/// of a face's edges, both from the corner that appears first, join all three.
-fn joins(order: &VertexOrder, sweep: SweepWay) -> (Vec<u32>, Vec<u32>) {
-    let mut begins = vec![0_u32; order.vertices.len() + 2];
-    for [_, middle, last] in order.appearing(sweep) {
-        begins[middle + 2] += 1;
-        begins[last + 2] += 1;
-    }
-    for i in 2..begins.len() {
-        begins[i] += begins[i - 1];
-    }
-    // Each entry moves on as its turn is filled, until it is where the next one begins.
-    let mut firsts = vec![0_u32; 2 * order.faces.len()];
-    for [first, middle, last] in order.appearing(sweep) {
-        for late in [middle, last] {
-            let next = &mut begins[late + 1];
-            firsts[*next as usize] = first as u32;
-            *next += 1;
+/// For each turn of a sweep, the earlier turns that are joined with it: two of a face's edges, both
+/// from the corner that appears first, join all three.
+fn joins(order: &VertexOrder, sweep: SweepWay) -> Buckets<u32> {
+    Buckets::new(order.vertices.len(), |sorter| {
+        for [first, middle, last] in order.appearing(sweep) {
+            sorter.put(middle, first as u32);
+            sorter.put(last, first as u32);
         }
-    }
-    (begins, firsts)
+    })
 }
 
 /// Multiplicity of each vertex as a saddle: half the sign changes around its link, less one.

@@ -5,7 +5,8 @@
 
 use std::ops::Range;
 
-use crate::geometry::curve::{Curve, Station};
+use crate::geometry::curve::Curve;
+use crate::geometry::station::Station;
 use crate::head::Head;
 use crate::wireframe::place::posts::{
     Candidate, Post, PostParams, ROUNDING, close, leads_down, reachable,

@@ -3,8 +3,9 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::curve::{Curve, Station};
+use crate::geometry::curve::Curve;
 use crate::geometry::polyline::simplify;
+use crate::geometry::station::Station;
 use crate::head::Head;
 use crate::stroke::Strokes;
 use crate::wireframe::place::tuning::CLOSE;

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
+use crate::geometry::buckets::Buckets;
 use crate::geometry::cells::Cells;
 use crate::geometry::curve::Curve;
 
@@ -32,8 +33,8 @@ pub struct Walls {
     /// The contours that no other wall comes near, for any reach asked about within these bounds.
     roomy: Vec<bool>,
     reaches: RangeInclusive<f64>,
-    /// Samples sorted by cell.
-    samples: Vec<Sample>,
+    /// Samples by cell.
+    samples: Buckets<Sample>,
     /// Runs of samples, and where each cell's begin.
     runs: Vec<SampleRun>,
     begins: Vec<usize>,
@@ -54,8 +55,8 @@ impl Walls {
     #[must_use]
     pub fn new(curves: &[Option<Curve>], reaches: RangeInclusive<f64>) -> Self {
         let pitch = SAMPLE * reaches.end();
-        let samples = samples(curves, pitch);
-        let (low, high) = samples
+        let found = samples(curves, pitch);
+        let (low, high) = found
             .iter()
             .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |b, s| (b.0.min(s.2), b.1.max(s.2)));
         let side = (reaches.end() + 0.5 * pitch).max((high - low).max_element() / MOST_CELLS);
@@ -64,48 +65,29 @@ impl Walls {
             .iter()
             .map(|c| c.as_ref().map_or((0.0, false), |c| (c.length(), c.is_closed())))
             .collect();
-        let (runs, begins, roomy) = (Vec::new(), Vec::new(), Vec::new());
+        let samples = Buckets::new(cells.count(), |sorter| {
+            found.iter().for_each(|sample| sorter.put(cells.of(sample.2), *sample));
+        });
+        let (runs, begins, roomy) = (Vec::new(), vec![0], Vec::new());
         let mut walls = Self { pitch, cells, lengths, roomy, reaches, samples, runs, begins };
-        walls.sort();
+        for cell in 0..walls.cells.count() {
+            walls.find_runs(cell);
+        }
         walls.roomy = walls.find_roomy();
         walls
     }
 
-    /// Brings the samples into the order of their cells (counting sort), and finds their runs.
-    fn sort(&mut self) {
-        let cells: Vec<usize> = self.samples.iter().map(|s| self.cells.of(s.2)).collect();
-        let mut next = vec![0; self.cells.count() + 1];
-        for &cell in &cells {
-            next[cell + 1] += 1;
-        }
-        for i in 1..next.len() {
-            next[i] += next[i - 1];
-        }
-        let begins = next.clone();
-        let mut sorted = self.samples.clone();
-        for (sample, cell) in self.samples.iter().zip(cells) {
-            sorted[next[cell]] = *sample;
-            next[cell] += 1;
-        }
-        self.samples = sorted;
-        self.begins = vec![0];
-        for cell in begins.windows(2) {
-            self.find_runs(cell[0], cell[1]);
-            self.begins.push(self.runs.len());
-        }
-    }
-
-    /// Lists the runs of a cell, whose samples are those from `begin` to `end`.
-    fn find_runs(&mut self, begin: usize, end: usize) {
-        let samples = &self.samples[begin..end];
+    /// Lists the runs of the next cell.
+    fn find_runs(&mut self, cell: usize) {
         let follows = |a: &Sample, b: &Sample| a.0 == b.0 && b.1 - a.1 < 2.0 * self.pitch;
-        let mut begin = begin;
-        for run in samples.chunk_by(follows) {
+        let mut begin = self.samples.range(cell).start;
+        for run in self.samples.of(cell).chunk_by(follows) {
             let ((wall, from, _), (_, to, _)) = (run[0], run[run.len() - 1]);
             let end = begin + run.len();
             self.runs.push(SampleRun { wall: wall as usize, from, to, begin, end });
             begin = end;
         }
+        self.begins.push(self.runs.len());
     }
 
     /// Which contours are so far from all walls that no place on them has another one within reach:
@@ -114,7 +96,7 @@ impl Walls {
         let (least, most) = (*self.reaches.start(), *self.reaches.end());
         let (reach, own) = (most + 0.5 * self.pitch, OWN * least - 0.5 * self.pitch);
         let mut roomy = vec![true; self.lengths.len()];
-        for &(wall, s, place) in &self.samples {
+        for &(wall, s, place) in self.samples.values() {
             let roomy = &mut roomy[wall as usize];
             *roomy = *roomy && self.nearest(wall as usize, s, place, reach, own).is_infinite();
         }
@@ -151,7 +133,7 @@ impl Walls {
                 if run.wall == wall && self.is_beside(run, s, own) {
                     continue;
                 }
-                for &(other, at, p) in &self.samples[run.begin..run.end] {
+                for &(other, at, p) in &self.samples.values()[run.begin..run.end] {
                     let square = p.distance_squared(place);
                     if square < nearest && (other as usize != wall || self.apart(wall, s, at) > own)
                     {

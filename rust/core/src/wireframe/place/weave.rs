@@ -6,7 +6,7 @@
 //! programming over pairs: the last post, and the last one on the other wall, for the chord that
 //! each contour becomes between its own posts depends on these two.
 
-use crate::geometry::curve::Station;
+use crate::geometry::station::Station;
 use crate::stroke::Strokes;
 use crate::wireframe::place::posts::{Candidate, close, leads_down, least_run};
 use crate::wireframe::place::tuning::{ALIGN, EVEN, TURN};

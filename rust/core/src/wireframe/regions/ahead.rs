@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::buckets::Buckets;
 use crate::geometry::cells::Cells;
 use crate::head::{Body, Head};
 use crate::wireframe::regions::layered::Line;
@@ -11,9 +12,8 @@ use crate::wireframe::regions::layered::Line;
 pub struct Ahead {
     moves: Vec<[DVec3; 2]>,
     grid: Cells,
-    /// Moves sorted by the cell of their middle, and where each cell's begin.
-    sorted: Vec<u32>,
-    begins: Vec<u32>,
+    /// Numbers of moves by the cell of their middle.
+    sorted: Buckets<u32>,
     /// Half the length of the longest move, mm.
     half: f64,
     lowest: f64,
@@ -33,33 +33,12 @@ impl Ahead {
         let half = moves.iter().map(|m| m[0].distance(m[1])).fold(0.0, f64::max) / 2.0;
         let lowest = moves.iter().map(|m| m[0].z.min(m[1].z)).fold(f64::INFINITY, f64::min);
         let grid = Cells::new(low, high, CELL);
-        let mut ahead = Self {
-            begins: vec![0; grid.count() + 1],
-            grid,
-            half,
-            lowest,
-            sorted: vec![0; moves.len()],
-            moves,
-        };
-        ahead.sort();
-        ahead
-    }
-
-    /// Brings the moves into the order of their cells (counting sort).
-    fn sort(&mut self) {
-        let middle = |[a, b]: &[DVec3; 2]| (a.truncate() + b.truncate()) / 2.0;
-        let cells: Vec<usize> = self.moves.iter().map(|m| self.grid.of(middle(m))).collect();
-        for &cell in &cells {
-            self.begins[cell + 1] += 1;
-        }
-        for i in 1..self.begins.len() {
-            self.begins[i] += self.begins[i - 1];
-        }
-        let mut next = self.begins.clone();
-        for (number, cell) in (0..).zip(cells) {
-            self.sorted[next[cell] as usize] = number;
-            next[cell] += 1;
-        }
+        let sorted = Buckets::new(grid.count(), |sorter| {
+            for (number, [a, b]) in (0..).zip(&moves) {
+                sorter.put(grid.of((a.truncate() + b.truncate()) / 2.0), number);
+            }
+        });
+        Self { moves, grid, sorted, half, lowest }
     }
 
     /// Whether a strand would be driven deeper than `tolerance` mm into the head later on.
@@ -80,9 +59,8 @@ impl Ahead {
         let [a, b] = strand.map(|p| p.truncate() - body.middle());
         let (columns, mut rows) = self.grid.span(a.min(b) - reach, a.max(b) + reach);
         rows.any(|row| {
-            let begin = self.begins[self.grid.number(*columns.start(), row)] as usize;
-            let end = self.begins[self.grid.number(*columns.end(), row) + 1] as usize;
-            self.sorted[begin..end].iter().any(|&number| {
+            let [first, last] = [columns.start(), columns.end()].map(|c| self.grid.number(*c, row));
+            self.sorted.across(first..last + 1).iter().any(|&number| {
                 body.deeper_than(tolerance, self.moves[number as usize], strand).is_some()
             })
         })

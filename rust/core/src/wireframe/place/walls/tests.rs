@@ -122,7 +122,7 @@ fn runs_are_stretches_of_one_wall_within_a_cell_without_a_gap() {
             let of_cell = &walls.runs[cell[0]..cell[1]];
             let joined = |a: &Sample, b: &Sample| a.0 == b.0 && b.1 - a.1 < 2.0 * walls.pitch;
             for (number, run) in of_cell.iter().enumerate() {
-                let own = &walls.samples[run.begin..run.end];
+                let own = &walls.samples.values()[run.begin..run.end];
                 let (first, last) = (own[0], own[own.len() - 1]);
                 assert!(own.windows(2).all(|pair| joined(&pair[0], &pair[1])));
                 assert!(
@@ -131,7 +131,7 @@ fn runs_are_stretches_of_one_wall_within_a_cell_without_a_gap() {
                 assert_eq!((run.wall, run.from, run.to), (first.0 as usize, first.1, last.1));
                 // It ends where the next one does not go on.
                 if number + 1 < of_cell.len() {
-                    assert!(!joined(&last, &walls.samples[run.end]));
+                    assert!(!joined(&last, &walls.samples.values()[run.end]));
                 }
                 runs.push((run.begin, run.end));
                 long += usize::from(own.len() > 2);
@@ -139,7 +139,7 @@ fn runs_are_stretches_of_one_wall_within_a_cell_without_a_gap() {
         }
         // All samples, each once.
         assert!(runs.windows(2).all(|pair| pair[0].1 == pair[1].0));
-        assert_eq!((runs[0].0, runs[runs.len() - 1].1), (0, walls.samples.len()));
+        assert_eq!((runs[0].0, runs[runs.len() - 1].1), (0, walls.samples.values().len()));
     }
     assert!(long > 100, "{long}");
 }
