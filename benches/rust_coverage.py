@@ -55,7 +55,8 @@ def measured(arguments):
     wrapper.chmod(0o755)
     build = os.environ | {"RUSTC_WORKSPACE_WRAPPER": str(wrapper)}
     run = build | {"LLVM_PROFILE_FILE": str(FOLDER / "counts" / "%m-%p.profraw")}
-    command = ["cargo", "test", "--tests", "--package=wireprint-core", "--profile=ci", *arguments]
+    command = ["cargo", "test", "--package=wireprint-core", "--profile=ci"]
+    command += arguments or ["--tests"]
     rows = told([*command, "--no-run", "--message-format=json"], env=build).splitlines()
     subprocess.run([*command, "--no-fail-fast", "--quiet"], cwd=CORE, env=run, stdout=sys.stderr)
     programs = [json.loads(row).get("executable") for row in rows if row.startswith("{")]

@@ -45,3 +45,6 @@ pub fn join_pieces(cx: &Context, top: &Top, printed: &mut Ground) {
     }
     printed.rims.truncate(contours.len());
 }
+
+#[cfg(test)]
+mod tests;
