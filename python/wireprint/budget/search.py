@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, get_args
 
 from wireprint import _core
 from wireprint._core import UnprintableError, WireprintError
 from wireprint.budget.figures import Alternative, Budget, BudgetError
+from wireprint.choices import Pattern
 from wireprint.duration import duration
 from wireprint.filament import Filament
 from wireprint.pipeline import make
@@ -132,7 +133,7 @@ class Search:
     def _ladder(self) -> Iterator[Knobs]:
         high, low = self.settings.slab_max_mm, self.settings.slab_min_mm
         ratio = (low / high) ** (1 / (RUNGS - 1))
-        for pattern in ("zigzag", "peaks"):
+        for pattern in get_args(Pattern):
             for rung in range(RUNGS):
                 height = high * ratio**rung
                 yield self._knobs({"wire.pattern": pattern, "wire.slab_max_mm": height})
