@@ -21,11 +21,12 @@ PAGE = """# Prints that would give way
 Written by `python benches/stiffening.py`. Each model of `../shared/models` at the size of its
 manifest, as `wireprint slice --forecast` prints it; on beds that are large enough for all.
 **Pulled aside** is the rule `meets` of the [forecast](forecast.md): how far the nozzle's pull of
-0.01 N moves what a strand ends on, at worst, mm; it may be half a strand. Where it is more, thicker
-strands, lower slabs (about the places that still give way, where what bends is, or throughout) and
-both are tried, and the quickest that suffices is printed, else that which gives way least, if that
-is a tenth less; none that takes more than four times as long. It is a model throughout, with ideal
-joints; no figure was measured on a printer.
+0.01 N moves what a strand ends on, at worst, mm; it may be half a strand. Where it is more, what is
+tried is thicker strands, lower slabs (about the places that still give way, where what bends is, or
+throughout), posts by the other rule, no supports where those cover nothing, and several of these.
+The quickest that suffices is printed, else what gives way least, if that is a tenth less; none
+that takes more than four times as long. It is a model throughout, with ideal joints; no figure was
+measured on a printer.
 
 {tables}
 {summary}

@@ -187,7 +187,12 @@ def test_it_holds_for_what_it_was_measured_with_alone(tmp_path):
         ),
         (
             "date = 2026-11-27\n[[sphere]]\nspeed_mm_s = 30\npause_s = 500",
-            "pause_s of a row of [[sphere]] is 500, and the print has",
+            "pause_s of [[sphere]] number 1 is 500, and the print has",
+        ),
+        (
+            "date = 2026-11-27\n[[harp]]\nlength_mm = 20\nspeed_mm_s = 30\nsag_mm = 1\n"
+            f"[[harp]]\nlength_mm = 20\nspeed_mm_s = 30\nsag_mm = {400 * '9'}",
+            "sag_mm of [[harp]] number 2 is 9999999999999999999999999999999999999999…; it must",
         ),
         (
             "date = 2026-11-27\n" + 41 * "[[sphere]]\nspeed_mm_s = 30\npause_s = 1\n",
@@ -209,6 +214,13 @@ def test_answers_that_say_nothing_are_refused(tmp_path, text, word):
     assert word in result.stderr
     assert "answers.toml" in result.stderr
     assert not (tmp_path / "mine.toml").exists()
+
+
+def test_a_bed_that_is_too_small_is_what_is_named(tmp_path):
+    result = run("calibrate", "harp", "-o", tmp_path / "h.gcode", "--set", "bed.diameter_mm=20")
+    assert result.exit_code != 0
+    assert "larger bed" in result.stderr
+    assert not (tmp_path / "h.gcode").exists()
 
 
 @pytest.mark.parametrize("date", ['27. 11. "26"', "a\\b", "<i>", "[calibration]", "# no"])

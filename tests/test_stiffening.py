@@ -61,7 +61,7 @@ def test_strands_are_fed_as_much_as_is_missing_and_little_more(reed, plain):
     _, _, told = stiffened(reed, plain, None, {"compare": False}, kept=kept)
     assert [one.partition("=")[0] for one in told.overrides] == ["wire.flow"]
     assert told.enough
-    assert told.tried <= 2
+    assert told.tried <= 4
     assert before.worst > told.limit_mm >= told.meets_after_mm > 0.7 * told.limit_mm
 
 

@@ -164,7 +164,12 @@ def _why_not(rule: Rule, forecast: Forecast, settings: Settings) -> str:
     if rule.name == "grips":
         return f"not judged: {forecast.ungripped}"
     if rule.name == "meets" and not forecast.core.frame_judged:
-        return "not judged: so large a frame would take too much work"
+        return (
+            "not judged: so large a frame would take too much work, and all else is forecast; "
+            "higher slabs (--slab-max), a thicker nozzle, or a part of the model by itself do not"
+        )
+    if rule.name == "meets" and forecast.core.layers_rigid:
+        return "nothing ends on wire in this file: layers are taken as rigid"
     return f"{_NONE[rule.name]} in this file"
 
 

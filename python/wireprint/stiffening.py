@@ -1,10 +1,12 @@
-"""Prints that would give way: made anew with thicker strands or lower slabs, where that pays.
+"""Prints that would give way: made anew with thicker strands, lower slabs, other posts.
 
 Asked for by a forecast alone. What is tried is made and forecast like any print. Thicker strands
 come first, for they cost least: a print that gives way everywhere does so in a few places then.
 About those, and where what bends is, slabs are made lower; throughout only where nothing less
-helps. Of what was tried, that which gains most for its time is gone on with, until something
-suffices; of all that suffice the quickest is taken, else the one that gives way least.
+helps. Posts that are placed by the other rule, and supports that are left out where that leaves no
+more of the model bare, are tried with thicker strands. Of what was tried, that which gains most for
+its time is gone on with, until something suffices; of all that suffice the quickest is taken, else
+the one that gives way least.
 """
 
 from __future__ import annotations
@@ -69,6 +71,13 @@ _BETTER: Final = 0.97
 #: Giving way by so much of what it was is worth a print of its own if none suffices, and so is
 #: feeding by so much of what is fed.
 _WORTH: Final = 0.9
+#: The rule for posts that is not the default.
+_OTHER_PLACEMENT: Final = "paper"
+#: A print without supports covers as much if it covers less by no more than this share.
+_AS_MUCH: Final = 1e-3
+#: What suffices is tried with strands that are fed so many times as much, too: time does not grow
+#: with that throughout, for thick strands ask for fewer posts.
+_THICKER_YET: Final = 1.3
 #: Digits of what is tried, so that `--set` repeats it.
 _DIGITS: Final = 2
 
@@ -101,6 +110,9 @@ class _Way:
     flow: float | None = None
     slab_max_mm: float | None = None
     low_slabs_mm: tuple[tuple[float, float, float], ...] = ()
+    #: The rule by which posts are placed, and what carries parts that would hang.
+    placement: str | None = None
+    supports: str | None = None
 
     def overrides(self) -> tuple[str, ...]:
         """Return it as ``--set`` takes it."""
@@ -108,6 +120,8 @@ class _Way:
             "slab_max_mm": self.slab_max_mm,
             "low_slabs_mm": self.low_slabs_mm,
             "flow": self.flow,
+            "placement": self.placement,
+            "supports": self.supports,
         }
         return tuple(f"wire.{key}={json.dumps(value)}" for key, value in told.items() if value)
 
@@ -193,6 +207,8 @@ def stiffened(
         certificate = made.certificate
         if certificate is None or not certificate.ok or not is_whole(certificate, settings):
             return None
+        if way.supports is not None and _covered(made) < _covered(plain) - _AS_MUCH:
+            return None
         return _Print(way, made, simulate(made.gcode, settings, grip_n), grip_n)
 
     known: dict[_Way, _Print | None] = {first.way: first}
@@ -208,6 +224,7 @@ def stiffened(
             longest_s = _longest_s(first, known)
             found = tried([way for base in bases for way in _ways(base, kept, longest_s)])
             found += tried([way for base in bases for way in _thicker_yet(base, known)])
+            found += tried([way for base in bases for way in _otherwise(base, kept)])
             if not found:
                 found = tried([way for base in bases for way in _lower(base, kept, longest_s)])
             bases = _promising(bases, found, _longest_s(first, known))
@@ -285,6 +302,25 @@ def _thicker_yet(base: _Print, known: dict[_Way, _Print | None]) -> Iterator[_Wa
             yield replace(way, flow=min(_rounded_up(_THICKER * way.flow), _MOST_FLOW))
 
 
+def _otherwise(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+    """Return ways with other posts, and without supports: once strands are as thick as need be."""
+    if base.way == _Way():
+        return
+    wire = base.made.settings.wire
+    if wire.placement != _OTHER_PLACEMENT and "wire.placement" not in kept:
+        yield replace(base.way, placement=_OTHER_PLACEMENT)
+    if base.made.wireframe.support_mm > 0 and "wire.supports" not in kept:
+        yield replace(base.way, supports="none")
+
+
+def _covered(made: WirePrint) -> float:
+    """Return how much of the model a print covers, as a share; 1 where that is not told."""
+    certificate = made.certificate
+    if certificate is None or certificate.fidelity is None:
+        return 1.0
+    return certificate.fidelity.coverage
+
+
 def _lower(base: _Print, kept: frozenset[str], longest_s: float) -> Iterator[_Way]:
     """Return ways with lower slabs: about what gives way, and throughout."""
     settings = base.made.settings
@@ -330,7 +366,12 @@ def _with(
 
 
 def _cheaper(best: _Print, kept: frozenset[str]) -> Iterator[_Way]:
-    """Return ways of a print that suffices with no more than it takes."""
+    """Return ways of a print that suffices with no more than it takes, or in less time."""
+    if best.lacks <= 1 and best.way.flow is not None and "wire.flow" not in kept:
+        thicker = min(_rounded_up(_THICKER_YET * best.way.flow), _MOST_FLOW)
+        yield replace(best.way, flow=thicker)
+        yield _Way(flow=thicker)
+        yield from _otherwise(best, kept)
     if best.lacks > _WORTH:
         return
     flow = _rounded_up(best.wanted_flow)

@@ -36,6 +36,8 @@ _MOST: Final = 40
 _SAME: Final = 0.02
 #: A strand that is so many times as stiff as its diameter and modulus say, or as soft, is none.
 _OTHER_STRAND: Final = 8.0
+#: Of what is no number so many characters are told.
+_LONGEST_TOLD: Final = 40
 #: A coin that drops by more of its length than this hangs from its strand rather than bends it.
 _HANGS: Final = 0.9
 _KEYS: Final = {"date", "ladder", "harp", "mast", "sphere"}
@@ -123,8 +125,9 @@ def read(path: Path, settings: Settings) -> Answers:
         raise SettingError(f"{path}: date is missing, such as date = 2026-11-27; {_FORM}")
     ladder = values.get("ladder")
     pauses = [] if ladder is None else [_ladder(path, ladder, settings)]
-    pauses += [_sphere(path, one, settings) for one in _several(path, values, "sphere")]
-    sags = tuple(_sag(path, one, settings) for one in _several(path, values, "harp"))
+    rows, strands = _several(path, values, "sphere"), _several(path, values, "harp")
+    pauses += [_sphere(path, row, settings, place) for place, row in enumerate(rows, 1)]
+    sags = tuple(_sag(path, one, settings, place) for place, one in enumerate(strands, 1))
     stiff = None if values.get("mast") is None else _mast(path, values["mast"], settings)
     if not pauses and not sags and stiff is None:
         raise SettingError(f"{path}: nothing was measured; {_FORM}")
@@ -152,8 +155,8 @@ def _ladder(path: Path, table: Any, settings: Settings) -> Held:
     return _between("ladder", settings.print_mm_s, stands / RATIO, stands)
 
 
-def _sphere(path: Path, table: Any, settings: Settings) -> Held:
-    of = "a row of [[sphere]]"
+def _sphere(path: Path, table: Any, settings: Settings, place: int) -> Held:
+    of = f"[[sphere]] number {place}"
     _no_others(path, table, of, "speed_mm_s", "pause_s")
     speed = _one_of(path, table, of, "speed_mm_s", sphere.speeds_mm_s(settings))
     stands = _one_of(path, table, of, "pause_s", sphere.pauses_s(settings))
@@ -192,8 +195,8 @@ def _mast(path: Path, table: Any, settings: Settings) -> Stiff:
     return Stiff(found, spread)
 
 
-def _sag(path: Path, table: Any, settings: Settings) -> Sag:
-    of = "a strand of the harp"
+def _sag(path: Path, table: Any, settings: Settings, place: int) -> Sag:
+    of = f"[[harp]] number {place}"
     _no_others(path, table, of, "length_mm", "speed_mm_s", "sag_mm")
     length = _number(path, table, of, "length_mm", 1, 500)
     if not any(abs(length - own) < _OTHER * own for own in LENGTHS_MM):
@@ -229,8 +232,11 @@ def _one_of(path: Path, table: Any, of: str, name: str, own: Sequence[float]) ->
 def _number(path: Path, table: Any, of: str, name: str, low: float, high: float) -> float:
     value = table.get(name) if isinstance(table, dict) else None
     counts = isinstance(value, int | float) and not isinstance(value, bool)
-    if not counts or not low <= float(value or 0) <= high:
+    # Compared as it is: an integer of TOML may be too long for a float.
+    if not counts or value is None or not low <= value <= high:
+        told = "missing" if value is None else str(value)
+        told = told if len(told) <= _LONGEST_TOLD else f"{told[:_LONGEST_TOLD]}…"
         raise SettingError(
-            f"{path}: {name} of {of} is {value}; it must be a number from {low:g} to {high:g}"
+            f"{path}: {name} of {of} is {told}; it must be a number from {low:g} to {high:g}"
         )
-    return float(value or 0)
+    return float(value)

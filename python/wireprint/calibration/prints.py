@@ -45,7 +45,7 @@ def printed(name: Print, settings: Settings) -> Printed:
         It does not fit the bed, the head cannot print it, or it takes too long.
     """
     words = _WORDS[name](settings)
-    refused = ""
+    refused, way_out = "", _WAYS_OUT[name]
     for path in _drawn(name, settings):
         text = to_gcode(path, settings, remarks=[f"calibration: {name}", *words])
         found = certificate.check(text, settings)
@@ -53,12 +53,13 @@ def printed(name: Print, settings: Settings) -> Printed:
         if found.ok and takes_s < LONGEST_S:
             return Printed(text, words, takes_s)
         width, depth = np.ptp(np.array(path.to)[:, :2], axis=0).tolist()
-        breach = next((all_[0] for all_ in found.breaches().values() if all_), found.remarks)
+        broken = {rule: all_[0] for rule, all_ in found.breaches().items() if all_}
+        breach = next(iter(broken.values()), found.remarks)
+        if _OUTSIDE in broken:
+            way_out = _OTHER_BED
         why = str(breach) if not found.ok else f"it takes {takes_s / 60:.0f} min"
         refused = f"{width:.0f} × {depth:.0f} mm: {why}"
-    raise SettingError(
-        f"no {name} is certified for {settings.printer.name}, {refused}; {_WAYS_OUT[name]}"
-    )
+    raise SettingError(f"no {name} is certified for {settings.printer.name}, {refused}; {way_out}")
 
 
 def _drawn(name: Print, settings: Settings) -> Iterator[Toolpath]:
@@ -84,6 +85,9 @@ _WORDS: Final = {
     "mast": mast.mast_words,
     "sphere": sphere.sphere_words,
 }
+#: The certificate's rule that a print breaks which is wider than its bed, and what helps then.
+_OUTSIDE: Final = "out_of_bounds"
+_OTHER_BED: Final = "it asks for a larger bed, or a higher one"
 _WAYS_OUT: Final = {
     "ladder": "a flatter tent may do: --slab-max 3",
     "harp": "a flatter tent may do: --slab-max 3",

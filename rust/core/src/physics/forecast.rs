@@ -7,11 +7,11 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::beam::Section;
-use super::blocks::layered;
+use super::blocks::{hang_far, layered, on_slanted};
 use super::climate::Climate;
 use super::clock::{StrandTimes, spans};
 use super::conditions::{Conditions, along};
-use super::contacts::contacts;
+use super::contacts::{Contact, contacts};
 use super::flows::{Flows, flows};
 use super::frame::Frame;
 use super::growing::{Laid, grow};
@@ -19,6 +19,7 @@ use super::growth::{carrying, rises};
 use super::hanging::{HangingStretch, stretches};
 use super::holds::{Stroke, softness};
 use super::joints::{Joints, joints};
+use super::opening::work;
 use super::sagging::sagging;
 use super::scene::{Found, Scene, Terms};
 use crate::check::contact::{self, StrandPart};
@@ -117,6 +118,12 @@ pub fn forecast_text(
     scene.forecast(&conditions)
 }
 
+/// Floating-point operations, some two seconds of one core, that a frame may take without asking
+/// whether its layers could be blocks.
+const AMPLE_WORK: f64 = 4e10;
+/// Layers are blocks where that leaves at most this share of the work: of wire it leaves nearly all.
+const WORTH_BLOCKS: f64 = 0.25;
+
 /// What a move takes, with its strand, its contacts and its figures, bytes.
 const BYTES_PER_MOVE: u64 = 800;
 
@@ -128,8 +135,7 @@ impl Scene<'_> {
         let hanging = stretches(deposit, &parts, rules);
         let touching = contacts(deposit, rules, |strand| self.carries[strand])?;
         let Joints { age, celsius, weld, found: welds, median } = joints(self, &touching);
-        let frame = Frame::of(deposit, rules, touching, |strand| self.carries[strand]);
-        let grown = self.grown(frame.on_the_bed(), &parts)?;
+        let grown = self.grown(touching, &parts, &hanging)?;
         let (sag, sags) = sagging(self, &hanging);
         let Flows { shares, strokes, knots } = flows(self, &conditions.advance);
         let strands = PerStrand {
@@ -158,8 +164,15 @@ impl Scene<'_> {
     }
 
     /// How far the frame gives way as it grows.
-    fn grown(&self, frame: Frame, parts: &[Vec<StrandPart>]) -> Result<Grown> {
-        let Self { read, deposit, rules, terms, .. } = self;
+    fn grown(
+        &self,
+        touching: Vec<Contact>,
+        parts: &[Vec<StrandPart>],
+        hanging: &[HangingStretch],
+    ) -> Result<Grown> {
+        let Self { read, deposit, rules, terms, carries, .. } = *self;
+        let slanted = on_slanted(deposit, &touching, rules.tolerance());
+        let frame = Frame::of(deposit, rules, touching, |strand| carries[strand]).on_the_bed();
         let mut compliance = vec![f64::NAN; deposit.strands.len()];
         let mut meets = Found::default();
         let section = Section::new(rules.strand, terms.frame_modulus());
@@ -170,12 +183,29 @@ impl Scene<'_> {
                 meets.add(self.at_end(laid.strand, miss, 0.0, met), rules.tolerance());
             }
         };
-        let mut judged = grow(&frame, section, terms.most_work, &mut told)?;
-        let layers_rigid = !judged;
-        if layers_rigid {
-            let layered = layered(&read.features, deposit, parts, rules.tolerance());
-            judged = grow(&frame.in_blocks(&layered), section, terms.most_work, &mut told)?;
+        let most = terms.most_work;
+        let whole = work(&frame, most);
+        let mut layers_rigid = false;
+        let mut frame = frame;
+        if whole > AMPLE_WORK.min(most) {
+            let far = hang_far(deposit, hanging, &slanted, rules.strand);
+            let in_blocks = |far: &[bool]| {
+                let layered = layered(&read.features, deposit, parts, far, rules.tolerance());
+                let blocks = frame.clone().in_blocks(&layered);
+                (work(&blocks, most), blocks)
+            };
+            let mut found = in_blocks(&far);
+            if found.0 > most {
+                // Infills of curves hang here and there as far as bridges do.
+                found = in_blocks(&slanted);
+            }
+            let (least, blocks) = found;
+            layers_rigid = whole > most || least <= WORTH_BLOCKS * whole;
+            if layers_rigid {
+                frame = blocks;
+            }
         }
+        let judged = grow(&frame, section, most, &mut told)?;
         Ok(Grown { compliance, meets, judged, layers_rigid })
     }
 

@@ -11,6 +11,11 @@ pub(super) struct Effort {
     pub most_open: usize,
 }
 
+/// Floating-point operations of a frame's growth; `most` or a little more where that is less.
+pub(super) fn work(frame: &Frame, most: f64) -> f64 {
+    Opening::of(frame).effort(frame, most).work
+}
+
 /// Until when each node is open.
 pub(super) struct Opening {
     /// The last strand that touches each node.
@@ -35,7 +40,8 @@ impl Opening {
     }
 
     /// What it takes: 6 floating-point operations for each pair of rows of a loop that closes.
-    pub(super) fn effort(&self, frame: &Frame) -> Effort {
+    /// Where that is more than `most`, it is not counted any further.
+    pub(super) fn effort(&self, frame: &Frame, most: f64) -> Effort {
         let mut seen = frame.fixed.clone();
         let mut opened = Vec::new();
         let mut effort = Effort::default();
@@ -51,6 +57,9 @@ impl Opening {
                 }
             }
             effort.most_open = effort.most_open.max(opened.len());
+            if effort.work > most {
+                break;
+            }
             opened.retain(|&node| self.last[node as usize] > beams[0].strand);
         }
         effort
