@@ -57,7 +57,7 @@ class Talk:
         """Change something, and wait for the print of it."""
         head, _ = self.ask(do, **values)
         assert "error" not in head, head["error"]
-        self.wait("current", lambda one: one["revision"] == head["revision"])
+        self.wait("current", lambda one: one["revision"] >= head["revision"])
         return head
 
     def wait(self, event, fits=lambda _: True):

@@ -14,7 +14,7 @@ import shapely
 
 from wireprint._core import within
 from wireprint.hybrid.group import Group
-from wireprint.layerwise.areas import Geometries, buffered
+from wireprint.layerwise.areas import Geometries, buffered, pieces_in
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -79,7 +79,8 @@ def aprons(
     layers, first, step = layers[unsure], first[unsure], step[unsure]
     below, rims, walled = below[unsure], rims[unsure], walled[unsure]
     on_step(_STEP)
-    loose = shapely.difference(outer[layers], buffered(rims, first))
+    about = _about(rims, outer[layers], first)
+    loose = shapely.difference(outer[layers], buffered(about, first))
     loose = shapely.difference(loose, buffered(_about(walled, loose, step), step))
     rims = shapely.union(rims, walled)
     # Walls that close in find the fill of the layer below under them, where there is one.
@@ -96,18 +97,26 @@ def aprons(
     if not len(layers):
         return []
     on_step(_STEP)
-    between = shapely.symmetric_difference(areas[layers], below)
     reach = np.array([_reach(*pair) for pair in zip(loose, rims, strict=True)])
     reach = np.minimum(reach + step, _MOST * step)
+    # What is far from them costs as much, and changes nothing.
+    boxes = _boxes(loose, 2 * (reach + recipe.width_mm))
+    here, below = (pieces_in(each, boxes) for each in (areas[layers], below))
+    between = shapely.symmetric_difference(here, below)
     room = shapely.intersection(between, buffered(loose, reach))
     room = shapely.intersection(room, buffered(_about(rims, loose, 2 * reach), reach))
-    room = shapely.difference(room, buffered(walls[layers], _DOUBLE * step))
+    about = _about(walls[layers], loose, reach + step)
+    room = shapely.difference(room, buffered(about, _DOUBLE * step))
+    below = pieces_in(shapely.intersection(below, shapely.box(*boxes.T)), boxes)
     groups = []
     for number in range(1, _MOST + 1):
         on_step(_STEP)
         aside = first + (number - 1) * step
-        sides = [shapely.boundary(buffered(below, way * aside)) for way in (1, -1)]
-        strings = shapely.intersection(shapely.union(*sides), room)
+        # No room is farther than this from the edge of what lies below.
+        near = np.flatnonzero(aside <= reach + recipe.width_mm)
+        sides = [shapely.boundary(buffered(below[near], way * aside[near])) for way in (1, -1)]
+        strings: Geometries = np.full(len(layers), shapely.MultiLineString(), dtype=object)
+        strings[near] = shapely.intersection(shapely.union(*sides), room[near])
         if shapely.is_empty(strings).all():
             break
         least_mm = _SHORTEST * recipe.width_mm
@@ -117,10 +126,14 @@ def aprons(
 
 def _about(lines: Geometries, places: Geometries, reach_mm: Floats) -> Geometries:
     """Return what of lines is in the box about some places, grown by a reach on all sides."""
-    low, high = np.split(shapely.bounds(places), 2, axis=1)
-    boxes = shapely.box(*(low - reach_mm[:, None]).T, *(high + reach_mm[:, None]).T)
-    found: Geometries = shapely.intersection(lines, boxes)
+    found: Geometries = shapely.intersection(lines, shapely.box(*_boxes(places, reach_mm).T))
     return found
+
+
+def _boxes(places: Geometries, reach_mm: Floats) -> Floats:
+    """Return the box about each place, grown by a reach on all sides, shape (N, 4)."""
+    grown: Floats = shapely.bounds(places) + np.outer(reach_mm, [-1.0, -1.0, 1.0, 1.0])
+    return grown
 
 
 def _leaves(lines: Geometries, rims: tuple[Geometries, ...], step_mm: Floats) -> Bools:

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from wireprint.hybrid.group import Group
-from wireprint.layerwise.areas import Geometries, offset
+from wireprint.layerwise.areas import Geometries, offset, pieces_in
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -73,7 +73,8 @@ def fringe(
         lines = shapely.offset_curve(strings, inward, join_style="mitre") if inward else strings
         if number:
             there, place = np.unique(layer, return_inverse=True)
-            room = offset(areas[there], -(inward - _ASIDE * recipe.width_mm))
+            boxes = shapely.bounds(_by_layer(lines, layer, len(areas))[there])
+            room = offset(pieces_in(areas[there], boxes), -(inward - _ASIDE * recipe.width_mm))
             lines = shapely.intersection(lines, room[place])
         else:
             outer = lines

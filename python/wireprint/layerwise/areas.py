@@ -120,6 +120,27 @@ def islands(geometries: Geometries) -> tuple[Geometries, npt.NDArray[np.int64]]:
     return parts[is_area], origin[is_area]
 
 
+def pieces_in(geometries: Geometries, boxes_mm: npt.NDArray[np.float64]) -> Geometries:
+    """Return of each area the connected pieces whose own box meets one.
+
+    Parameters
+    ----------
+    geometries
+        Areas, shape (N,).
+    boxes_mm
+        The lowest and the highest x and y of each box, as `shapely.bounds` gives them, shape
+        (N, 4); nothing meets what is not a number.
+    """
+    parts, origin = islands(geometries)
+    own, other = shapely.bounds(parts), boxes_mm[origin]
+    met = ((own[:, :2] <= other[:, 2:]) & (own[:, 2:] >= other[:, :2])).all(axis=1)
+    found: Geometries = np.full(len(geometries), _EMPTY, dtype=object)
+    there, group = np.unique(origin[met], return_inverse=True)
+    if len(there):
+        found[there] = shapely.multipolygons(parts[met], indices=group)
+    return found
+
+
 def buffered(geometries: Any, distance_mm: float | npt.NDArray[np.float64], **options: Any) -> Any:
     """Grow areas by a distance, mm, or each by one of its own, as `shapely.buffer` does.
 
