@@ -10,6 +10,7 @@ import io
 import re
 import subprocess
 import sys
+import tarfile
 import tokenize
 from collections import Counter
 from pathlib import Path
@@ -17,19 +18,21 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 #: Where the product lies, and how deep its modules do below.
 FOLDERS = {"rust/core/src": 1, "rust/py/src": 0, "python/wireprint": 1, "web/src": 0}
+#: Files that tests alone use.
+FOR_TESTS = ("/tests.rs", "lay/scene.rs", "physics/scene.rs")
 GENERATED = ("python/wireprint/window/static/", "python/wireprint/studio/static/")
 
 
 def files(revision):
     """Paths and texts of the product's sources at a revision."""
-    command = ["git", "ls-tree", "-r", "--name-only", revision, *FOLDERS]
-    listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    for name in listed.splitlines():
-        is_test = name.endswith(("/tests.rs", "/scene.rs"))
-        is_source = name.endswith((".rs", ".py", ".pyi", ".ts", ".tsx"))
-        if is_source and not is_test and not name.startswith(GENERATED):
-            shown = ["git", "show", f"{revision}:{name}"]
-            yield name, subprocess.run(shown, cwd=ROOT, capture_output=True, check=True).stdout
+    command = ["git", "archive", revision, *FOLDERS]
+    packed = subprocess.run(command, cwd=ROOT, capture_output=True, check=True).stdout
+    with tarfile.open(fileobj=io.BytesIO(packed)) as archive:
+        for member in filter(tarfile.TarInfo.isfile, archive):
+            name = member.name
+            is_source = name.endswith((".rs", ".py", ".pyi", ".ts", ".tsx"))
+            if is_source and not name.endswith(FOR_TESTS) and not name.startswith(GENERATED):
+                yield name, archive.extractfile(member).read()
 
 
 def code(name, text):
