@@ -6,7 +6,7 @@ import trimesh
 
 import random_solids
 from command import run
-from wireprint import Region, Settings, lowering
+from wireprint import Region, Settings, replanning
 from wireprint._core import Mesh
 from wireprint.pipeline import make
 from wireprint.regions import ZRange
@@ -95,7 +95,7 @@ def test_what_is_covered_is_planned_once(cube, monkeypatch):
     def never(*_):
         raise AssertionError
 
-    monkeypatch.setattr(lowering, "lowered", never)
+    monkeypatch.setattr(replanning, "replanned", never)
     assert coverage(make(cube)) > 0.99
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from wireprint.certificate import check
 from wireprint.stages import toolpath
 from wireprint.whole_file import written_file
-from wireprint.wholeness import is_as_wished
+from wireprint.wholeness import is_as_wished, is_braced
 from wireprint.wire_print import WirePrint
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class Finishing:
     weak: bool
     standing: Standing | None
     at_mm: Point
-    #: Whether slabs may be made lower about what would be bare.
+    #: Whether slabs may be made lower where the plan falls short.
     lower: bool
 
     def of(self, settings: Settings, planned: Wireframe) -> WirePrint:
@@ -60,10 +60,10 @@ class Finishing:
         NothingPlannedError
             There is nothing to print.
         """
-        if self.region and self.lower and settings.wire.coverage_goal:
-            lower = self._lowered(settings, planned, None)
-            if lower is not None:
-                return replace(self, lower=False, kept=None).of(*lower)
+        if self.region and self.lower:
+            other = self._replanned(settings, planned, None)
+            if other is not None:
+                return replace(self, lower=False, kept=None).of(*other)
         strands, regions = planned, self._regions(settings, planned)
         if regions is not None:
             strands = regions.wireframe
@@ -84,9 +84,9 @@ class Finishing:
                 else:
                     certificate = regions.verdict.compared(self.place.mesh, deviation=self.compare)
             if self.lower and regions is None:
-                lower = self._lowered(settings, planned, certificate)
-                if lower is not None:
-                    return replace(self, lower=False, kept=None).of(*lower)
+                other = self._replanned(settings, planned, certificate)
+                if other is not None:
+                    return replace(self, lower=False, kept=None).of(*other)
             if not certificate.ok:
                 from wireprint.mending import mended
 
@@ -139,16 +139,17 @@ class Finishing:
             sketch = self.kept or Sketch(self.place.mesh, planned, settings, self.certify)
             return proved(sketch, self.region, self.clock.step, write=written)
 
-    def _lowered(
+    def _replanned(
         self, settings: Settings, planned: Wireframe, certificate: Certificate | None
     ) -> tuple[Settings, Wireframe] | None:
+        """Plan anew what would be bare, or braced too little."""
         known = None if certificate is None else certificate.fidelity
-        if known is not None and is_as_wished(known, settings):
+        if known is not None and is_as_wished(known, settings) and is_braced(planned, settings):
             return None
-        from wireprint.lowering import lowered
+        from wireprint.replanning import replanned
 
         with self.clock.stage("lower slabs"):
-            return lowered(self.place.mesh, settings, planned, certificate, self.clock.step)
+            return replanned(self.place.mesh, settings, planned, certificate, self.clock.step)
 
     def _judged(self, text: bytes, settings: Settings) -> Certificate:
         return check(

@@ -184,7 +184,7 @@ def _resolved(
 
 def _as_it_is(settings: Settings) -> Settings:
     """Return settings that print a model without a second plan, for remedies that must help so."""
-    return settings.but(overrides=["wire.coverage_goal=0"])
+    return settings.but(overrides=["wire.coverage_goal=0", "wire.braced_goal=0"])
 
 
 def _onto(mesh: Mesh, settings: Settings, standing: Standing, at_mm: Point) -> Wireframe:

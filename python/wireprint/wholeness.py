@@ -11,12 +11,15 @@ from wireprint.report import breaches, listed_from_mm2
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
+    from wireprint._core import Wireframe
     from wireprint.certificate import Certificate
     from wireprint.fidelity import Fidelity
     from wireprint.remedies import Remedy
     from wireprint.report import Unprinted
     from wireprint.settings import Settings
 
+#: Fewer posts than so are no frame that could sway.
+_FEW: Final = 12
 #: Parts that are named; of more, their number is told.
 _NAMED: Final = 4
 
@@ -52,6 +55,12 @@ def is_as_wished(fidelity: Fidelity, settings: Settings) -> bool:
     largest = max((patch.area_mm2 for patch in fidelity.uncovered), default=0.0)
     is_small = largest < listed_from_mm2(fidelity)
     return fidelity.coverage >= settings.wire.coverage_goal and is_small
+
+
+def is_braced(strands: Wireframe, settings: Settings) -> bool:
+    """Whether `wire.braced_goal` diagonals stand per post, or too few posts to sway."""
+    posts = strands.post_count
+    return posts < _FEW or strands.diagonal_count >= settings.wire.braced_goal * posts
 
 
 def shortfall(certificate: Certificate | None, settings: Settings) -> str:

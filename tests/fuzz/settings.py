@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from functools import partial
 from pathlib import Path
 
 import hypothesis
@@ -58,7 +59,6 @@ def main() -> int:
             (folder / f"{model}.stl").write_bytes(examples.stl(model))
         end = time.monotonic() + asked.seconds
 
-        @given(drawn(), st.sampled_from(MODELS))
         def holds(settings: Drawn, model: str) -> None:
             out = folder / "out.gcode"
             out.unlink(missing_ok=True)
@@ -72,7 +72,9 @@ def main() -> int:
 
         number = 0
         while time.monotonic() < end:
-            seeded = hypothesis.seed(f"{asked.seed} {number}")(holds)
+            # A function of its own for each round: hypothesis decorates each once.
+            test = given(drawn(), st.sampled_from(MODELS))(partial(holds))
+            seeded = hypothesis.seed(f"{asked.seed} {number}")(test)
             try:
                 hypothesis.settings(
                     max_examples=ROUND,

@@ -126,6 +126,9 @@ class Wire(Section):
     coverage_goal: float = Field(
         0.99, ge=0, le=1, description="below it slabs are lower where it would be bare; 0: never"
     )
+    braced_goal: float = Field(
+        0.6, ge=0, le=1, description="diagonals per post; slabs are lower where few are; 0: never"
+    )
     coverage_within_mm: float = Field(
         4.0, ge=0.1, le=50, description="surface this near to a strand counts as covered"
     )

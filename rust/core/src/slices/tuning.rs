@@ -20,7 +20,7 @@ pub const LARGEST: f64 = 4.0;
 pub const QUICK_PAUSE: f64 = 0.5;
 /// … but no less than this part of the printer's own time. Doubled, slow printers' slabs are as low as
 /// those of quick ones; halved, shallow slopes are left bare between slices.
-pub const WORTH: f64 = 0.36;
+pub const WORTH: f64 = 0.35;
 /// A small ring that cannot be coiled is fined this part of what it wobbles: lower slabs make it little
 /// sturdier. Quadrupled, slabs beside small holes are lower, and prints take 3 % longer.
 pub const UNCOILED: f64 = 0.25;

@@ -124,7 +124,7 @@ fn plain(case: &Case, printer: &Printer, i: usize, j: usize) -> f64 {
         }
     }
     let sag = run * strokes.paper_run(height) * turning / (12.0 * length);
-    quick = quick.max(0.36 * time);
+    quick = quick.max(0.35 * time);
     if height < p.slab_min {
         fines += 1e4 * (p.slab_min - height) / p.slab_min;
     }
