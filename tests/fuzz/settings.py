@@ -14,7 +14,6 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from functools import partial
 from pathlib import Path
 
 import hypothesis
@@ -59,22 +58,22 @@ def main() -> int:
             (folder / f"{model}.stl").write_bytes(examples.stl(model))
         end = time.monotonic() + asked.seconds
 
-        def holds(settings: Drawn, model: str) -> None:
-            out = folder / "out.gcode"
-            out.unlink(missing_ok=True)
-            if time.monotonic() > end:
-                return
-            case = case_of(settings, model)
-            wrong, seconds, most_mb = run(case, folder)
-            counts["printed" if out.exists() else "refused"] += 1
-            most[:] = max(most[0], seconds), max(most[1], most_mb)
-            assert not wrong, f"{case.words}: {wrong}"
-
         number = 0
         while time.monotonic() < end:
-            # A function of its own for each round: hypothesis decorates each once.
-            test = given(drawn(), st.sampled_from(MODELS))(partial(holds))
-            seeded = hypothesis.seed(f"{asked.seed} {number}")(test)
+            # One for each round: hypothesis decorates a function once.
+            @given(drawn(), st.sampled_from(MODELS))
+            def holds(settings: Drawn, model: str) -> None:
+                out = folder / "out.gcode"
+                out.unlink(missing_ok=True)
+                if time.monotonic() > end:
+                    return
+                case = case_of(settings, model)
+                wrong, seconds, most_mb = run(case, folder)
+                counts["printed" if out.exists() else "refused"] += 1
+                most[:] = max(most[0], seconds), max(most[1], most_mb)
+                assert not wrong, f"{case.words}: {wrong}"
+
+            seeded = hypothesis.seed(f"{asked.seed} {number}")(holds)
             try:
                 hypothesis.settings(
                     max_examples=ROUND,
