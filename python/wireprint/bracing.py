@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint._core import Wireframe
-    from wireprint.replanning import Plan
+    from wireprint.wire_plan import Plan
 
     Ints = npt.NDArray[np.int64]
 

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from wireprint.fidelity import Fidelity, Patch
-    from wireprint.replanning import Plan
     from wireprint.settings import Settings
+    from wireprint.wire_plan import Plan
 
 #: Heights of slabs that are tried, as shares of the highest: the least trouble first, for lower
 #: slabs take longer. The last is the lowest slab of all.
