@@ -4695,6 +4695,7 @@ dialog::backdrop { background: rgb(10 12 16 / 45%); }
   .drawer { display: block; position: relative; z-index: 31; }
   header { flex-wrap: wrap; gap: 8px 12px; padding: 8px 10px; }
   .title { flex: 1; }
+  .model small { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
   .figures { order: 5; width: 100%; margin: 0; justify-content: space-between; gap: 8px; }
   .profiles { order: 4; width: 100%; }
   .profiles select { flex: 1; }
