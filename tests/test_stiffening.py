@@ -102,6 +102,17 @@ def test_what_a_hand_asks_for_is_printed_as_cheaply_as_was_found(cube):
     assert strong.estimate.total_s == told.print_time_after_s
 
 
+def test_what_no_finger_presses_is_not_said_to_suffice(reed, plain, monkeypatch):
+    monkeypatch.setattr(
+        "wireprint.stiffening.simulate", lambda gcode, settings, _: simulate(gcode, settings)
+    )
+    kept = frozenset({"wire.slab_max_mm", "wire.low_slabs_mm"})
+    _, forecast, told = stiffened(reed, plain, None, {"compare": False}, grip_n=5, kept=kept)
+    assert forecast.rules["meets"].over == 0
+    assert told.bears_after_n is None
+    assert not told.enough
+
+
 def test_settings_that_were_named_stay(reed, plain):
     kept = frozenset({"wire.slab_max_mm", "wire.low_slabs_mm", "wire.flow"})
     made, _, told = stiffened(reed, plain, None, {"compare": False}, kept=kept)

@@ -209,7 +209,9 @@ def stiffened(
             return None
         if way.supports is not None and _covered(made) < _covered(plain) - _AS_MUCH:
             return None
-        return _Print(way, made, simulate(made.gcode, settings, grip_n), grip_n)
+        found = _Print(way, made, simulate(made.gcode, settings, grip_n), grip_n)
+        # What no finger meets any more bears nothing that was asked for.
+        return None if first.bears_n is not None and found.bears_n is None else found
 
     known: dict[_Way, _Print | None] = {first.way: first}
     with ThreadPoolExecutor(workers()) as pool:
@@ -242,7 +244,7 @@ def stiffened(
         best.bears_n,
         first.takes_s,
         best.takes_s,
-        best.lacks <= 1,
+        best.lacks <= 1 and (grip_n is None or best.bears_n is not None),
         len(known) - 1,
     )
     return best.made, best.forecast, told
