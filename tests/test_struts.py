@@ -664,3 +664,61 @@ def test_a_size_in_which_it_can_be_printed_is_told_and_right():
     assert order(large.moved((0, 0, 0), factor), settings).certificate.ok
     with pytest.raises(wireprint.UnprintableError):
         order(large.moved((0, 0, 0), 1.1), settings)
+
+
+def arm():
+    """A post, and an arm of short pieces that sticks out of it farther than anything may hang."""
+    nodes = [[0, 0, 0], [0, 0, 15], *([3.0 * n, 0, 15] for n in range(1, 15))]
+    return Graph(nodes, [[n, n + 1] for n in range(len(nodes) - 1)])
+
+
+def test_what_hangs_too_far_or_ends_in_the_air_is_supported_where_a_part_is_wanted():
+    settings = wireprint.Settings.load("kossel-mini", "abs", overrides=LONG_NEEDLE)
+    with pytest.raises(wireprint.UnprintableError, match="hang from a free end"):
+        order(arm(), settings)
+    found = order(arm(), settings, partial=True)
+    assert found.certificate.ok
+    assert not found.unprinted
+    assert 1 <= len(found.supports) <= 4
+    for support in found.supports:
+        assert found.graph.ends[support, 1, 2] == pytest.approx(15.3, abs=0.1)
+    with pytest.raises(wireprint.UnprintableError, match="nothing meets them"):
+        order(arm(), settings, partial=True, supports=False)
+
+
+def test_a_search_that_spends_its_effort_gives_the_best_it_found_and_says_so():
+    graph = KINDS["dome"](np.random.default_rng(7))
+    settings = wireprint.Settings.load("kossel-mini", "abs", overrides=LONG_NEEDLE)
+    whole = order(graph, settings)
+    assert not whole.effort_spent
+    part = order(graph, settings, partial=True, effort=3e-5)
+    assert part.effort_spent
+    assert part.certificate.ok
+    assert 0 < len(part.graph) < len(graph)
+    assert len(part.graph) + len(part.unprinted) == len(graph)
+    assert order(graph, settings, partial=True, effort=3e-5).gcode == part.gcode
+    for partial in (False, True):
+        with pytest.raises(wireprint.UnprintableError, match="--effort 4"):
+            order(graph, settings, partial=partial, effort=1e-9)
+
+
+def thicket(side=11, pitch=3.0):
+    """Steep struts so close to each other that the head gets between few of them."""
+    rng = np.random.default_rng(5)
+    feet = [[pitch * x, pitch * y, 0.0] for x in range(side) for y in range(side)]
+    lean = np.array([*rng.uniform(-1, 1, 2), 9.0])
+    tops = np.array(feet) + lean
+    edges = [[n, n + side * side] for n in range(side * side)]
+    across = [[n, n + 1] for n in range(side * side, 2 * side * side - 1) if (n + 1) % side]
+    return Graph([*feet, *tops], edges + across)
+
+
+def test_who_watches_a_search_may_end_it():
+    settings = wireprint.Settings.load("kossel-mini", "abs", overrides=LONG_NEEDLE)
+
+    def stop(most):
+        assert 0 <= most <= 231
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        order(thicket(), settings, partial=True, told=stop)

@@ -1,7 +1,7 @@
 """The extension module: what the Rust core offers to Python."""
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, ClassVar, Literal, TypeAlias, TypedDict, final
 
 import numpy as np
@@ -577,7 +577,8 @@ def order_lattice(
     knees: npt.NDArray[np.float64],
     head: Mapping[str, object],
     rules: Mapping[str, object],
-) -> tuple[list[tuple[int, bool, bool]], list[tuple[int, str]]]: ...
+    watch: Callable[[int], object] | None,
+) -> tuple[list[tuple[int, bool, bool]], list[tuple[int, str]], int]: ...
 def lattice_toolpath(
     strands: npt.NDArray[np.float64],
     floating: npt.NDArray[np.bool_],

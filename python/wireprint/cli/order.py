@@ -11,6 +11,7 @@ from wireprint.cli.amounts import Amount
 from wireprint.cli.options import chosen_from, settings_options
 from wireprint.cli.paths import InputFile, OutputName
 from wireprint.cli.placement import orient_option
+from wireprint.cli.progress import Progress
 from wireprint.cli.say import say, say_json
 from wireprint.streams import STREAM
 
@@ -55,6 +56,12 @@ _FRAMES: Final = (".csv", ".json")
     is_flag=True,
     help="Leave out what cannot be printed, as little as is found, and name it.",
 )
+@click.option(
+    "--effort",
+    type=Amount(min=0, min_open=True),
+    default=1.0,
+    help="How long it may search, times the usual half a minute of a processor.",
+)
 @settings_options
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object instead of words.")
 def order(
@@ -66,6 +73,7 @@ def order(
     rotate_deg: tuple[float, float, float],
     orient: bool,
     partial: bool,
+    effort: float,
     as_json: bool,
     **options: Any,
 ) -> None:
@@ -74,7 +82,8 @@ def order(
     GRAPH is made of struts: lines of OBJ, PLY or glTF, a graph of COMPAS (JSON), or the beam
     lattice of a 3MF file. Parts that nothing leads to from the bed get an upright support, unless
     --supports none is given; what cannot be printed is named, and nothing is written, unless
-    --partial is given. With --orient auto, it is put on the side on which it prints best.
+    --partial is given. With --orient auto, it is put on the side on which it prints best. A search
+    that spends its effort ends with the best it found, and says so: the same file everywhere.
     """
     chosen = chosen_from(options)
     inputs = [graph, *chosen.files]
@@ -89,19 +98,23 @@ def order(
     from wireprint.struts import read_struts, struts_as
     from wireprint.struts.frames import as_csv
     from wireprint.struts.frames import as_json as frames_json
-    from wireprint.struts.words import refusal
+    from wireprint.struts.words import SPENT, refusal
 
     settings = chosen.settings()
     with_supports = settings.wire.supports == "wire"
     struts = read_struts(graph).moved((0.0, 0.0, 0.0), scale).turned(rotate_deg)
-    found = ordered(
-        struts,
-        settings,
-        supports=with_supports,
-        partial=partial,
-        orient=orient,
-        date=dated(graph),
-    )
+    with Progress(len(struts), lines=True, what="struts") as progress:
+        progress.show("searching")
+        found = ordered(
+            struts,
+            settings,
+            supports=with_supports,
+            partial=partial,
+            orient=orient,
+            effort=effort,
+            told=progress.reach,
+            date=dated(graph),
+        )
     target.write(found.gcode)
     if others[0] is not None:
         suffix = str(others[0]).rpartition(".")[2].lower()
@@ -121,6 +134,7 @@ def order(
             for number, why in found.unprinted
         ],
         "rotate_deg": list(found.rotate_deg) if orient else None,
+        "effort_spent": found.effort_spent,
         "floating": int(found.floating.sum()),
         "print_time_s": found.print_time_s,
         "certified": found.certificate.ok,
@@ -139,6 +153,8 @@ def order(
     if found.unprinted:
         for line in refusal(struts, found.unprinted).splitlines():
             say(f"  unprinted   {line}", err=to_stderr)
+    if found.effort_spent:
+        say(f"  effort      {SPENT}", err=to_stderr)
     for number in found.supports:
         x, y, z = found.graph.ends[number, 1]
         say(f"  support     strut {number}, to ({x:.1f}, {y:.1f}, {z:.1f})", err=to_stderr)

@@ -23,7 +23,7 @@ LINE_EVERY_S = 30.0
 
 
 class Progress:
-    """Counts finished models on stderr, if that is a terminal and a second has passed.
+    """Counts what is finished on stderr, if that is a terminal and a second has passed.
 
     Parameters
     ----------
@@ -31,10 +31,13 @@ class Progress:
         How many there are.
     lines
         Whether lines are printed where there is no terminal.
+    what
+        What is counted.
     """
 
-    def __init__(self, total: int, *, lines: bool = False) -> None:
+    def __init__(self, total: int, *, lines: bool = False, what: str = "models") -> None:
         self._total = total
+        self._what = what
         self._lines = lines and not sys.stderr.isatty()
         self._failed = 0
         self._begin_s = self._told_s = time.monotonic()
@@ -66,11 +69,20 @@ class Progress:
         self._done += 1
         self._failed += failed
         self._update()
+        self._tell(f", {self._failed} failed")
+
+    def reach(self, done: int) -> None:
+        """Say how many are finished."""
+        self._done = min(done, self._total)
+        self._update()
+        self._tell()
+
+    def _tell(self, more: str = "") -> None:
         now_s = time.monotonic()
         if self._lines and now_s - self._told_s >= LINE_EVERY_S:
             self._told_s = now_s
             say(
-                f"{self._done} of {self._total} models, {self._failed} failed, "
+                f"{self._done} of {self._total} {self._what}{more}, "
                 f"{duration(now_s - self._begin_s)}",
                 err=True,
             )

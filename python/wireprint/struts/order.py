@@ -12,10 +12,12 @@ from wireprint._core import UnprintableError
 from wireprint.certificate import check
 from wireprint.gcode import document, file
 from wireprint.stages import path_params
+from wireprint.struts.effort import Effort
 from wireprint.struts.graph import Graph
 from wireprint.struts.search import SUPPORT, search
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from datetime import datetime
 
     from wireprint._core import Toolpath
@@ -55,6 +57,8 @@ class OrderedGraph:
     unprinted: tuple[tuple[int, str], ...]
     #: By how much the given graph was turned about x, then y, then z, degrees.
     rotate_deg: Angles
+    #: Whether the search's effort was spent before all was tried: more might be found.
+    effort_spent: bool
     toolpath: Toolpath
     #: The file.
     gcode: bytes
@@ -77,6 +81,8 @@ def order(
     supports: bool = True,
     partial: bool = False,
     orient: bool = False,
+    effort: float = 1.0,
+    told: Callable[[int], object] | None = None,
     date: datetime | None = None,
 ) -> OrderedGraph:
     """Find an order and directions in which every strut can be printed, and print them so.
@@ -95,6 +101,11 @@ def order(
     orient
         Whether it is also put on each of its other five sides: the one counts on which the most is
         printed, then with the fewest supports, then with the fewest free ends, then soonest.
+    effort
+        Of the usual effort, about half a minute of a processor a side; a search that has tried all
+        ends sooner. It is counted, not timed: the result is the same everywhere.
+    told
+        Is called now and then with how many struts could be printed at most so far.
     date
         Written into the file.
 
@@ -121,12 +132,13 @@ def order(
     done, refused = [], None
     for side in sides:
         try:
-            done.append(_ordered(graph, settings, supports, partial, side, date))
+            work = Effort(effort, told)
+            done.append(_ordered(graph, settings, supports, work, partial, side, date))
         except UnprintableError as error:
             refused = refused or error
     if done:
         return min(done, key=_merit)
-    ways = "" if partial else _way_out(graph, settings, supports)
+    ways = "" if partial else _way_out(graph, settings, supports, effort)
     raise UnprintableError(f"{refused}{ways}{_hint(partial, orient)}")
 
 
@@ -146,12 +158,13 @@ def _ordered(
     graph: Graph,
     settings: Settings,
     supports: bool,
+    effort: Effort,
     partial: bool = False,
     rotate_deg: Angles = _GIVEN,
     date: datetime | None = None,
 ) -> OrderedGraph:
     placed = _placed(graph.turned(rotate_deg), settings)
-    found = search(placed, settings, supports=supports, partial=partial)
+    found = search(placed, settings, supports=supports, partial=partial, effort=effort)
     placed, shapes = found.graph, found.shapes
     form, reversed_, floating = (np.array(column) for column in zip(*found.strokes, strict=True))
     floating.setflags(write=False)
@@ -173,6 +186,7 @@ def _ordered(
         tuple(int(place) for place in np.flatnonzero(found.numbers[which] == SUPPORT)),
         found.left,
         rotate_deg,
+        found.is_spent,
         path,
         gcode,
         certificate,
@@ -195,7 +209,7 @@ def _placed(graph: Graph, settings: Settings) -> Graph:
     return graph.moved((-middle[0], -middle[1], settings.first_layer_height_mm - low[2]))
 
 
-def _way_out(graph: Graph, settings: Settings, supports: bool) -> str:
+def _way_out(graph: Graph, settings: Settings, supports: bool, effort: float) -> str:
     """Return the words for a size near its own in which all of it is printed; empty: none is found.
 
     Smaller, less hangs; larger, a tip of the same size gets in between more.
@@ -204,7 +218,8 @@ def _way_out(graph: Graph, settings: Settings, supports: bool) -> str:
         return ""
     for factor in _SIZES:
         try:
-            _ordered(graph.moved((0.0, 0.0, 0.0), factor), settings, supports)
+            work = Effort(effort / len(_SIZES))
+            _ordered(graph.moved((0.0, 0.0, 0.0), factor), settings, supports, work)
         except UnprintableError:
             continue
         return f"\n{factor:g} times as large, all of it can be printed: --scale, times {factor:g}"

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 _NAMED: Final = 8
 #: What nothing meets at its free end.
 LOOSE: Final = "loose"
+#: Where more might be found.
+SPENT: Final = "the search's effort was spent before all was tried; --effort 4 looks longer"
 #: By the core's reason.
 WHY: Final = {
     "floats": "nothing leads to it from the bed",

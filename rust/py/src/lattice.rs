@@ -1,5 +1,7 @@
 //! `wireprint._core.order_lattice` and `lattice_toolpath`.
 
+use std::ops::ControlFlow;
+
 use glam::DVec3;
 use numpy::{PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -10,20 +12,21 @@ use wireprint_core::toolpath as path;
 use wireprint_core::toolpath::PathParams;
 
 use crate::arrays::{self, ends};
-use crate::errors::{ModelError, SettingError, detached, in_pool};
+use crate::errors::{ModelError, SettingError, detached};
 use crate::params::Params;
 use crate::toolpath::Toolpath;
 
 /// Form, whether it is printed backwards and whether it ends in the air, in the order of printing;
-/// and the struts that are not printed, each with why.
-type OrderRow = (Vec<(u32, bool, bool)>, Vec<(u32, &'static str)>);
+/// the struts that are not printed, each with why; and the work that was left.
+type OrderRow = (Vec<(u32, bool, bool)>, Vec<(u32, &'static str)>, u64);
 
 /// An order in which the struts of a lattice can be printed: nodes (N, 3) float64, mm, z from the
 /// bed, edges (M, 2) of node numbers; of each form a strut may have, in their order, the number of
-/// the strut (F,) and where it bends near both of its nodes (F, 2, 3) float64.
+/// the strut (F,) and where it bends near both of its nodes (F, 2, 3) float64. `watch`, if any, is called now and
+/// then with how many struts were printed at most.
 ///
 /// # Errors
-/// `ModelError` for nodes, edges and forms that are none.
+/// `ModelError` for nodes, edges and forms that are none; whatever `watch` raises, and `KeyboardInterrupt`.
 #[pyfunction]
 pub fn order_lattice(
     py: Python<'_>,
@@ -33,6 +36,7 @@ pub fn order_lattice(
     knees: PyReadonlyArray3<'_, f64>,
     head: Params<Head>,
     rules: Params<Rules>,
+    watch: Option<Py<PyAny>>,
 ) -> PyResult<OrderRow> {
     let knees = ends(&knees)?;
     if struts.len() != knees.len() {
@@ -40,11 +44,24 @@ pub fn order_lattice(
     }
     let nodes = arrays::read_points("nodes", nodes)?;
     let (head, rules) = (head.0, rules.0);
+    let mut raised = None;
+    // On the thread that asked, not in a pool: Ctrl-C reaches no other.
     let found = detached(py, || {
         let forms = struts.into_iter().zip(knees).map(|(strut, knees)| Form { strut, knees });
         let lattice = Lattice::new(nodes, edges, forms.collect())?;
-        Ok(in_pool(|| lattice::order(&lattice, &head, &rules)))
+        let mut told = |most: usize| {
+            let answer = Python::attach(|py| {
+                py.check_signals()?;
+                watch.as_ref().map_or(Ok(()), |watch| watch.call1(py, (most,)).map(|_| ()))
+            });
+            raised = answer.err();
+            if raised.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        Ok(lattice::order(&lattice, &head, &rules, &mut told))
     })?;
+    if let Some(error) = raised {
+        return Err(error);
+    }
     let laid = |one: &lattice::Laid| (one.stroke.form, one.stroke.reversed, one.floating);
     let why = |why: Why| match why {
         Why::Floats => "floats",
@@ -57,7 +74,7 @@ pub fn order_lattice(
         Why::Waits => "waits",
     };
     let left = found.left.iter().map(|&(edge, reason)| (edge, why(reason))).collect();
-    Ok((found.strokes.iter().map(laid).collect(), left))
+    Ok((found.strokes.iter().map(laid).collect(), left, found.work_left))
 }
 
 /// The moves that print strands in their order, (N, 2, 3) float64, mm from the middle of the bed;

@@ -16,6 +16,8 @@ pub struct Bars {
     of: Vec<Vec<Stroke>>,
     /// By strut: strokes that it bars in whichever form.
     always: Vec<Vec<Stroke>>,
+    /// How much it takes to look at all that struts bar.
+    size: usize,
 }
 
 impl Bars {
@@ -74,13 +76,20 @@ impl Bars {
                 }
             }
         }
-        Self { drawn, of, always }
+        let size = strokes.len() + always.iter().map(Vec::len).sum::<usize>();
+        Self { drawn, of, always, size }
     }
 
     /// Whether the head can draw a stroke at all.
     #[must_use]
     pub fn is_drawn(&self, stroke: Stroke) -> bool {
         self.drawn[stroke.index()]
+    }
+
+    /// How much it takes to look at all strokes, and at what all struts bar.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.size
     }
 
     /// The strokes that a form bars.

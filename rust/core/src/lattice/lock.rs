@@ -8,6 +8,7 @@
 //! forms; what is held, and what hangs, is not asked here.
 
 use super::bars::Bars;
+use super::effort::SearchEffort;
 use super::{Lattice, Stroke};
 
 /// What does not stand yet, taken apart from the end.
@@ -23,6 +24,8 @@ pub struct Rest<'a> {
     taken: Vec<bool>,
     /// Struts that were taken away, and still count in `barring`.
     away: Vec<u32>,
+    /// By strut that was taken away: the stroke by which it can come last of those left.
+    last: Vec<Option<Stroke>>,
 }
 
 impl<'a> Rest<'a> {
@@ -40,12 +43,13 @@ impl<'a> Rest<'a> {
         let strokes = (0..lattice.len() as u32).flat_map(|strut| lattice.strokes_of(strut));
         let open = strokes.map(open).collect();
         let (barring, taken) = (barring.to_vec(), printed.to_vec());
-        let mut rest = Self { lattice, bars, open, barring, taken, away: Vec::new() };
-        let is_free = |&strut: &u32| {
-            !printed[strut as usize] && lattice.strokes_of(strut).any(|stroke| rest.is_free(stroke))
-        };
-        let free: Vec<u32> = (0..lattice.len() as u32).filter(is_free).collect();
-        free.into_iter().for_each(|strut| rest.take(strut));
+        let last = vec![None; lattice.len()];
+        let mut rest = Self { lattice, bars, open, barring, taken, away: Vec::new(), last };
+        let open = (0..lattice.len() as u32).filter(|&strut| !printed[strut as usize]);
+        let free: Vec<Stroke> = open
+            .filter_map(|strut| lattice.strokes_of(strut).find(|&stroke| rest.is_free(stroke)))
+            .collect();
+        free.into_iter().for_each(|stroke| rest.take(lattice.strut(stroke), Some(stroke)));
         rest.take_apart();
         rest
     }
@@ -55,9 +59,16 @@ impl<'a> Rest<'a> {
         (0..self.lattice.len() as u32).filter(|&strut| !self.taken[strut as usize]).collect()
     }
 
+    /// By strut: a stroke by which it can be printed after those that are printed before it, where none is
+    /// locked; none of what stands.
+    pub fn last(&self) -> &[Option<Stroke>] {
+        &self.last
+    }
+
     /// As few of the locked struts as are found, ascending, without which the others are not locked: what
-    /// bars most strokes of the others goes first, and what need not have gone comes back.
-    pub fn too_many(&self) -> Vec<u32> {
+    /// bars most strokes of the others goes first, and what need not have gone comes back, as long as there
+    /// is work left.
+    pub fn too_many(&self, effort: &mut SearchEffort<'_>) -> Vec<u32> {
         let mut rest = self.clone();
         let mut gone = Vec::new();
         loop {
@@ -67,15 +78,23 @@ impl<'a> Rest<'a> {
                 let count = self.bars.of_strut(strut).iter().filter(of_left).count();
                 (count, std::cmp::Reverse(strut))
             };
+            effort.spend(locked.iter().map(|&strut| self.bars.of_strut(strut).len()).sum());
             let Some(worst) = locked.into_iter().max_by_key(bars) else { break };
+            if effort.is_stopped() {
+                break;
+            }
             gone.push(worst);
-            rest.take(worst);
+            rest.take(worst, None);
             rest.take_apart();
         }
         for strut in gone.clone() {
+            effort.spend(self.bars.size());
+            if effort.is_over() {
+                break;
+            }
             let others: Vec<u32> = gone.iter().copied().filter(|&other| other != strut).collect();
             let mut rest = self.clone();
-            others.iter().for_each(|&other| rest.take(other));
+            others.iter().for_each(|&other| rest.take(other, None));
             rest.take_apart();
             if rest.locked().is_empty() {
                 gone = others;
@@ -89,8 +108,9 @@ impl<'a> Rest<'a> {
         self.barring[stroke.index()] == 0 && self.open[stroke.index()]
     }
 
-    fn take(&mut self, strut: u32) {
+    fn take(&mut self, strut: u32, last: Option<Stroke>) {
         self.taken[strut as usize] = true;
+        self.last[strut as usize] = last;
         self.away.push(strut);
     }
 
@@ -100,7 +120,7 @@ impl<'a> Rest<'a> {
                 self.barring[stroke.index()] -= 1;
                 let other = self.lattice.strut(stroke);
                 if !self.taken[other as usize] && self.is_free(stroke) {
-                    self.take(other);
+                    self.take(other, Some(stroke));
                 }
             }
         }

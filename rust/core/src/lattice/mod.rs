@@ -6,6 +6,7 @@
 //! test of the head tells beforehand which struts would bar which: those come later.
 
 mod bars;
+mod effort;
 mod lock;
 mod rank;
 mod search;
@@ -165,8 +166,8 @@ pub struct Rules {
     /// Longest strut that ends in the air.
     #[serde(rename = "free_end_limit_mm")]
     pub free_end: f64,
-    /// Struts that are printed on trial at most, those taken back included.
-    pub most_steps: usize,
+    /// Work of the search at most: looks at struts, at strokes, and at what they bar.
+    pub most_work: u64,
     /// Whether a part of the lattice is wanted where all of it cannot be printed.
     pub partial: bool,
 }
@@ -208,6 +209,10 @@ pub struct Ordered {
     pub strokes: Vec<Laid>,
     /// Struts that are not, ascending.
     pub left: Vec<(u32, Why)>,
+    /// Work that was left; with none, the search ended before it had tried all it would.
+    pub work_left: u64,
+    /// Whether whoever watched stopped it.
+    pub is_stopped: bool,
 }
 
 /// Whether the head may draw a piece downwards as steeply as this one falls.

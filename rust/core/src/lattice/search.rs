@@ -5,7 +5,10 @@
 //! from the end: Huang, Garrett et al., *Scalable and probabilistically complete planning for robotic
 //! spatial extrusion*, RSS 2020.
 
+use std::ops::ControlFlow;
+
 use super::bars::Bars;
+use super::effort::SearchEffort;
 use super::rank::StrokeRank;
 use super::state::State;
 use super::{Laid, Lattice, Ordered, Rules, Why};
@@ -20,37 +23,50 @@ const BACK: usize = 1;
 /// proven beforehand that some cannot. Of those that are locked, all are named or, where a part of the
 /// lattice is wanted, as few as must be left out.
 ///
-/// The same lattice gives the same order.
+/// The same lattice gives the same order. `watch` is told now and then how many struts were printed at most, and
+/// may stop the search.
 #[must_use]
-pub fn order(lattice: &Lattice, head: &Head, rules: &Rules) -> Ordered {
+pub fn order(
+    lattice: &Lattice,
+    head: &Head,
+    rules: &Rules,
+    watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
+) -> Ordered {
+    let effort = &mut SearchEffort::new(rules.most_work, watch);
+    let found = search(lattice, head, rules, effort);
+    Ordered { work_left: effort.left(), is_stopped: effort.is_stopped(), ..found }
+}
+
+fn search(lattice: &Lattice, head: &Head, rules: &Rules, effort: &mut SearchEffort<'_>) -> Ordered {
     let bars = Bars::of(lattice, head, rules);
     let nothing = State::new(lattice, rules, &bars);
     let rest = nothing.rest();
-    let locked = if rules.partial { rest.too_many() } else { rest.locked() };
+    let locked = if rules.partial { rest.too_many(effort) } else { rest.locked() };
     if !locked.is_empty() {
         let left = locked.into_iter().map(|strut| (strut, Why::Locked)).collect();
-        return Ordered { strokes: Vec::new(), left };
+        return Ordered { left, ..Ordered::default() };
     }
     let reached = reached(lattice, &bars, rules);
     let stranded = nothing.stranded();
     if !stranded.is_empty() {
         let why = |strut| (strut, Round::default().why(lattice, rules, &bars, &reached, strut));
-        return Ordered { strokes: Vec::new(), left: stranded.into_iter().map(why).collect() };
+        return Ordered { left: stranded.into_iter().map(why).collect(), ..Ordered::default() };
     }
-    let (mut rank, mut steps) = (StrokeRank::new(lattice), rules.most_steps);
+    let mut rank = StrokeRank::new(lattice);
     let mut best = Round::default();
     for _ in 0..ROUNDS {
-        let round = Round::run(lattice, rules, &bars, &rank, &mut steps);
+        let round = Round::run(lattice, rules, &bars, &rank, effort);
         rank.blame(&round.next);
         if round.laid.len() > best.laid.len() || best.stuck.is_empty() {
             best = round;
         }
-        if best.stuck.is_empty() || steps == 0 {
+        if best.stuck.is_empty() || effort.is_over() {
             break;
         }
     }
     let why = |&strut: &u32| (strut, best.why(lattice, rules, &bars, &reached, strut));
-    Ordered { left: best.stuck.iter().map(why).collect(), strokes: best.laid }
+    let left = best.stuck.iter().map(why).collect();
+    Ordered { strokes: best.laid, left, ..Ordered::default() }
 }
 
 /// What a round printed, and what it could not.
@@ -70,23 +86,24 @@ impl Round {
         rules: &Rules,
         bars: &Bars,
         rank: &StrokeRank,
-        steps: &mut usize,
+        effort: &mut SearchEffort<'_>,
     ) -> Self {
         let mut state = State::new(lattice, rules, bars);
+        state.lost(effort);
         let mut best = Self::default();
         let mut back = BACK * lattice.len();
         let mut open = vec![rank.choices(lattice, rules, &state).into_iter()];
-        while !state.is_whole() && *steps > 0 {
+        while !state.is_whole() && !effort.is_over() {
             let Some(choices) = open.last_mut() else { break };
-            let tried = choices.find(|&laid| {
-                *steps = steps.saturating_sub(1);
-                *steps == 0 || state.try_print(laid)
-            });
-            if *steps == 0 {
+            let tried = choices.find(|&laid| effort.is_over() || state.try_print(laid, effort));
+            if effort.is_over() {
                 break;
             }
             if tried.is_some() {
-                open.push(rank.choices(lattice, rules, &state).into_iter());
+                effort.reach(state.laid.len());
+                let choices = rank.choices(lattice, rules, &state);
+                effort.spend(lattice.len() + 8 * choices.len());
+                open.push(choices.into_iter());
                 continue;
             }
             if state.laid.len() > best.laid.len() || best.stuck.is_empty() {

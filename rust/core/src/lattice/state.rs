@@ -1,6 +1,7 @@
 //! What stands while a search goes on, what holds, what hangs, and what is barred.
 
 use super::bars::Bars;
+use super::effort::SearchEffort;
 use super::lock::Rest;
 use super::{Laid, Lattice, Rules, Stroke};
 
@@ -24,6 +25,37 @@ pub struct State<'a> {
     pub laid: Vec<Laid>,
     /// How far the nodes of each laid strut hung before it.
     hung: Vec<[f64; 2]>,
+    /// By strut that does not stand: ways in which all of them can still be printed. As long as none of these
+    /// is barred, nothing need be asked anew.
+    ways: Ways,
+    /// By stroke: struts that could not all be printed any more with it, when it was tried last.
+    refused: Vec<Vec<u32>>,
+    /// By number of struts that stood: the strokes that were refused then.
+    refused_at: Vec<Vec<Stroke>>,
+}
+
+/// How the rest can be printed, as it was found last.
+#[derive(Default)]
+struct Ways {
+    /// By strut: the stroke by which it can be printed after those before it, past the head.
+    last: Vec<Option<Stroke>>,
+    /// By strut: the stroke by which something leads there, if what bars others is not asked.
+    begun: Vec<Option<Stroke>>,
+}
+
+impl Ways {
+    fn of(&self, strut: u32) -> [Option<Stroke>; 2] {
+        [self.last[strut as usize], self.begun[strut as usize]]
+    }
+
+    fn set(&mut self, strut: u32, [last, begun]: [Option<Stroke>; 2]) {
+        (self.last[strut as usize], self.begun[strut as usize]) = (last, begun);
+    }
+
+    /// Whether a stroke is the way of its strut.
+    fn has(&self, strut: u32, stroke: Stroke) -> bool {
+        self.of(strut).contains(&Some(stroke))
+    }
 }
 
 impl<'a> State<'a> {
@@ -44,6 +76,9 @@ impl<'a> State<'a> {
             hang: vec![0.0; lattice.nodes.len()],
             laid: Vec::new(),
             hung: Vec::new(),
+            ways: Ways { last: vec![None; lattice.len()], begun: vec![None; lattice.len()] },
+            refused: vec![Vec::new(); 2 * lattice.forms.len()],
+            refused_at: vec![Vec::new()],
         }
     }
 
@@ -87,6 +122,12 @@ impl<'a> State<'a> {
     /// The struts that do not stand yet and can never be begun: no way leads there past what stands, not
     /// even by way of all others.
     pub fn stranded(&self) -> Vec<u32> {
+        self.begun().0
+    }
+
+    /// The same, and by strut a stroke by which each of the others is begun.
+    fn begun(&self) -> (Vec<u32>, Vec<Option<Stroke>>) {
+        let mut ways = vec![None; self.lattice.len()];
         let nodes = 0..self.lattice.nodes.len() as u32;
         let mut held: Vec<bool> = nodes.map(|node| self.is_held(node)).collect();
         let mut todo: Vec<u32> =
@@ -102,27 +143,59 @@ impl<'a> State<'a> {
                 for node in self.lattice.edges[strut as usize] {
                     held[node as usize] |= begun.is_some();
                 }
+                ways[strut as usize] = begun;
                 begun.is_none()
             });
             if todo.is_empty() || todo.len() == before {
-                return todo;
+                return (todo, ways);
             }
         }
     }
 
+    /// Struts that do not stand and cannot all be printed any more, past the head and from what is held; where
+    /// there are none, notes how they can.
+    pub fn lost(&mut self, effort: &mut SearchEffort<'_>) -> Vec<u32> {
+        effort.spend(self.bars.size());
+        let rest = self.rest();
+        let locked = rest.locked();
+        if !locked.is_empty() {
+            return locked;
+        }
+        let (stranded, begun) = self.begun();
+        if stranded.is_empty() {
+            self.ways = Ways { last: rest.last().to_vec(), begun };
+        }
+        stranded
+    }
+
     /// Prints a stroke, unless some others could then never be printed all.
-    pub fn try_print(&mut self, laid: Laid) -> bool {
+    ///
+    /// Ways that were found before do as long as the stroke bars none of them: what it would have barred
+    /// later stands in no other's way.
+    pub fn try_print(&mut self, laid: Laid, effort: &mut SearchEffort<'_>) -> bool {
         let own = self.lattice.strut(laid.stroke);
-        let bars_more = self.bars.of_form(laid.stroke.form).iter().any(|&barred| {
-            let other = self.lattice.strut(barred);
-            other != own && !self.printed[other as usize] && self.is_open(barred)
-        });
-        self.print(laid);
-        if bars_more && (!self.rest().locked().is_empty() || !self.stranded().is_empty()) {
-            self.take_back();
+        let barred = self.bars.of_form(laid.stroke.form);
+        let refused = &self.refused[laid.stroke.index()];
+        effort.spend(barred.len() + refused.len());
+        // As long as none of them stands, whatever else does bars no less.
+        if !refused.is_empty() && !refused.iter().any(|&strut| self.printed[strut as usize]) {
             return false;
         }
-        true
+        let bars_a_way = barred.iter().any(|&barred| {
+            let other = self.lattice.strut(barred);
+            other != own && !self.printed[other as usize] && self.ways.has(other, barred)
+        });
+        let way = self.ways.of(own);
+        self.print(laid);
+        let lost = if bars_a_way { self.lost(effort) } else { Vec::new() };
+        let prints = lost.is_empty();
+        if !prints {
+            self.take_back();
+            self.ways.set(own, way);
+            self.refused_at[self.laid.len()].push(laid.stroke);
+            self.refused[laid.stroke.index()] = lost;
+        }
+        prints
     }
 
     /// The struts that do not stand yet, taken apart from the end.
@@ -142,16 +215,22 @@ impl<'a> State<'a> {
         }
         self.count(laid, true);
         self.laid.push(laid);
+        self.refused_at.push(Vec::new());
     }
 
     /// Takes the last strut back.
     pub fn take_back(&mut self) {
         if let Some(laid) = self.laid.pop() {
+            for stroke in self.refused_at.pop().unwrap_or_default() {
+                self.refused[stroke.index()].clear();
+            }
             self.count(laid, false);
             let nodes = self.lattice.ends(laid.stroke);
             for (node, hung) in nodes.into_iter().zip(self.hung.pop().unwrap_or_default()) {
                 self.hang[node as usize] = hung;
             }
+            // It stood while the others' ways were found: as it stood, it is the next.
+            self.ways.set(self.lattice.strut(laid.stroke), [Some(laid.stroke); 2]);
         }
     }
 
