@@ -120,11 +120,38 @@ def test_every_class_that_the_library_offers_is_looked_at(objects):
             assert names & objects.keys(), one
 
 
-def test_arrays_of_every_class_are_read_only(objects):
+def arrays_in(one, path="", seen=None):
+    """Yield all arrays that are reached from an object by public names, with the way there."""
+    seen = {} if seen is None else seen
+    # Held, so that no other object gets the same identity.
+    if id(one) in seen or isinstance(one, str | bytes | int | float | type | None):
+        return
+    seen[id(one)] = one
+    if isinstance(one, np.ndarray):
+        yield path, one
+    elif isinstance(one, list | tuple):
+        for number, value in enumerate(one):
+            yield from arrays_in(value, f"{path}[{number}]", seen)
+    elif isinstance(one, dict):
+        for key, value in one.items():
+            yield from arrays_in(value, f"{path}[{key!r}]", seen)
+    elif type(one).__module__.startswith("wireprint"):
+        for name in dir(one):
+            if not name.startswith(("_", "model_")) and not callable(getattr(one, name)):
+                yield from arrays_in(getattr(one, name), f"{path}.{name}", seen)
+
+
+def test_all_arrays_are_read_only_also_of_copies(objects):
     for name, one in objects.items():
-        held = vars(one).values() if hasattr(one, "__dict__") else ()
-        arrays = [value for value in held if isinstance(value, np.ndarray)]
-        assert not any(array.flags.writeable for array in arrays), name
+        for twin in (one, copy.copy(one), copy.deepcopy(one), pickle.loads(pickle.dumps(one))):
+            found = [path for path, array in arrays_in(twin, name) if array.flags.writeable]
+            assert not found, found[:5]
+
+
+def test_arrays_are_found_wherever_they_are(objects):
+    paths = [path for path, _ in arrays_in(objects["wireprint.wire_print.WirePrint"], "made")]
+    assert any(path.endswith(".strands") for path in paths)
+    assert any(path.startswith("made.regions.plan.laid") for path in paths)
 
 
 def test_a_pickle_gives_back_the_same(objects):

@@ -13,6 +13,7 @@ from wireprint._core import GcodeError, SettingError
 from wireprint.duration import duration
 from wireprint.gcode.origin import stated_time_s
 from wireprint.gcode.source import NO_GCODE, TEXT, kind_of, read
+from wireprint.records import Record
 from wireprint.timed_machine import Choice, Machine
 
 if TYPE_CHECKING:
@@ -68,8 +69,8 @@ class LayerTime:
     time_s: float
 
 
-@dataclass(frozen=True, slots=True)
-class PerMove:
+@dataclass(frozen=True, repr=False)
+class PerMove(Record):
     """One row for each move and each dwell, in the file's order; read-only arrays of shape (N,)."""
 
     #: Line of the file, from 1.

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from wireprint.records import Record, sealed
+
 if TYPE_CHECKING:
     import numpy.typing as npt
 
@@ -23,8 +25,8 @@ _PITCH = 0.5
 _FLATTEST = 0.05
 
 
-@dataclass(frozen=True)
-class Cut:
+@dataclass(frozen=True, repr=False)
+class Cut(Record):
     """Every slab of a model divided evenly into layers, the last at the slab's top."""
 
     #: Slab, printed height and thickness of each layer, mm, bottom up, shape (K,).
@@ -66,7 +68,7 @@ class Cut:
     @cached_property
     def layer(self) -> Ints:
         """Layer of each contour, shape (M,)."""
-        return np.repeat(np.arange(len(self.z)), np.diff(self.slice_offsets))
+        return sealed(np.repeat(np.arange(len(self.z)), np.diff(self.slice_offsets)))
 
     @cached_property
     def steps(self) -> tuple[Ints, Floats]:
@@ -78,15 +80,15 @@ class Cut:
         following[self.offsets[1:] - 1] = self.offsets[:-1]
         lengths: Floats = np.hypot(*(self.points[following] - self.points).T)
         lengths[(self.offsets[1:] - 1)[~self.closed]] = 0.0
-        return following, lengths
+        return sealed((following, lengths))
 
     def is_last(self) -> Bools:
         """Tell which layers lie at the top of their slabs, shape (K,)."""
         return np.append(self.slab[1:] != self.slab[:-1], True)[: len(self.slab)]
 
 
-@dataclass(frozen=True)
-class Samples:
+@dataclass(frozen=True, repr=False)
+class Samples(Record):
     """Short pieces of the layers' contours, in the order of contour and arc length."""
 
     #: Contour of each, shape (S,).

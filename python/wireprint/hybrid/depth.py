@@ -10,6 +10,7 @@ import shapely
 
 from wireprint.hybrid.bridges import bridged
 from wireprint.layerwise.areas import Geometries, buffered, islands, offset
+from wireprint.records import Record
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,8 +34,8 @@ _FINE = 0.05
 _TOUCH = 0.1
 
 
-@dataclass(frozen=True)
-class Inside:
+@dataclass(frozen=True, repr=False)
+class Inside(Record):
     """What of a region lies behind the surface, and what bounds its fill, by layer, shape (K,)."""
 
     #: The region's sections.
@@ -49,8 +50,8 @@ class Inside:
     longest_mm: float
 
 
-@dataclass(frozen=True)
-class Depth:
+@dataclass(frozen=True, repr=False)
+class Depth(Record):
     """Areas behind the innermost walls, by layer, shape (K,)."""
 
     #: What is marked, what of it the head reaches, and what of that is filled, up to the centre

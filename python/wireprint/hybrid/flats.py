@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from wireprint.records import Record
+
 if TYPE_CHECKING:
     import numpy.typing as npt
 
@@ -22,8 +24,8 @@ _MOST = 128
 _LEVEL = 0.999
 
 
-@dataclass(frozen=True)
-class Flats:
+@dataclass(frozen=True, repr=False)
+class Flats(Record):
     """What is marked of the level faces."""
 
     #: Points, mm, shape (N, 3), and whether each is marked, shape (N,).

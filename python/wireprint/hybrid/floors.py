@@ -10,6 +10,7 @@ import shapely
 
 from wireprint.hybrid.depth import LEAN, wide, with_bridges
 from wireprint.layerwise.areas import Geometries, buffered, offset
+from wireprint.records import Record
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,8 +28,8 @@ _EMPTY = shapely.MultiPolygon()
 _SPECK = 1.0
 
 
-@dataclass(frozen=True)
-class Floors:
+@dataclass(frozen=True, repr=False)
+class Floors(Record):
     """What of whole islands is filled, by layer, shape (K,)."""
 
     #: The area, walls included.

@@ -19,6 +19,7 @@ from wireprint.layerwise.lines import Lines
 from wireprint.layerwise.route import Route, routed
 from wireprint.layerwise.shells import split
 from wireprint.layerwise.walls import walls
+from wireprint.records import Record
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -43,8 +44,8 @@ _NOTHING = shapely.MultiPolygon(), shapely.MultiLineString()
 _BEYOND = 0.1
 
 
-@dataclass(frozen=True)
-class Laid:
+@dataclass(frozen=True, repr=False)
+class Laid(Record):
     """The lines of all runs in printing order, and what of the region's inside they fill."""
 
     route: Route

@@ -16,6 +16,7 @@ from wireprint.hybrid.depth import Inside
 from wireprint.hybrid.flats import Flats
 from wireprint.hybrid.lines import Laid, lay
 from wireprint.hybrid.runs import Runs, Section, runs_of
+from wireprint.records import Record
 from wireprint.regions.inside import sections
 from wireprint.stages import line_section_mm2
 
@@ -51,8 +52,8 @@ class Hollow:
     high_mm: float
 
 
-@dataclass(frozen=True)
-class Plan:
+@dataclass(frozen=True, repr=False)
+class Plan(Record):
     """What of a model is printed as layers, and how."""
 
     sketch: Sketch

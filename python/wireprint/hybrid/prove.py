@@ -14,6 +14,7 @@ from wireprint.certificate import check
 from wireprint.gcode import file
 from wireprint.hybrid.plan import Plan
 from wireprint.mending import mended
+from wireprint.records import Record, sealed
 from wireprint.stages import toolpath, wireframe
 
 if TYPE_CHECKING:
@@ -73,8 +74,8 @@ _PLACES: Final[dict[str, Callable[[Any], npt.NDArray[np.float64]]]] = {
 }
 
 
-@dataclass(frozen=True)
-class Proved:
+@dataclass(frozen=True, repr=False)
+class Proved(Record):
     """A print with layers, as far as it keeps the rules."""
 
     plan: Plan
@@ -97,13 +98,14 @@ class Proved:
         and ``to_mm`` along that contour and ``area_mm2`` of the surface, float64.
         """
         runs = self.plan.sections
-        return {
+        found: dict[str, npt.NDArray[Any]] = {
             "slab": np.array([run.slab for run in runs], np.int64),
             "contour": np.array([run.contour for run in runs], np.int64),
             "from_mm": np.array([run.from_mm for run in runs], np.float64),
             "to_mm": np.array([run.to_mm for run in runs], np.float64),
             "area_mm2": np.array([run.area_mm2 for run in runs], np.float64),
         }
+        return sealed(found)
 
     @property
     def layer_wise_mm(self) -> float:

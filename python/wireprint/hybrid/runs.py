@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from wireprint._core import nearest
+from wireprint.records import Record, sealed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -54,8 +55,8 @@ class Section:
         return self.to_mm - self.from_mm
 
 
-@dataclass(frozen=True)
-class Runs:
+@dataclass(frozen=True, repr=False)
+class Runs(Record):
     """What a region comes to on the layers of a model."""
 
     runs: tuple[Section, ...]
@@ -77,8 +78,8 @@ class Runs:
         )
 
 
-@dataclass(frozen=True)
-class Strips:
+@dataclass(frozen=True, repr=False)
+class Strips(Record):
     """The samples of all layers, by the strip of the slab that they lie on."""
 
     cut: Cut
@@ -130,7 +131,7 @@ class Strips:
         """Return, for each sample of a strip, the number of the section that it belongs to."""
         place = slab * self.count + strip
         if place not in self.known:
-            self.known[place] = self._nearest(which, sections)
+            self.known[place] = sealed(self._nearest(which, sections))
         return self.known[place]
 
     def _nearest(self, which: Ints, sections: Ints) -> Ints:

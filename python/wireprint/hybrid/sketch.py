@@ -16,6 +16,7 @@ from wireprint.hybrid.flats import level_points
 from wireprint.hybrid.runs import Strips
 from wireprint.layerwise.areas import buffered, of_contours
 from wireprint.layerwise.recipe import Recipe
+from wireprint.records import Record, sealed
 from wireprint.stages import wireframe
 
 if TYPE_CHECKING:
@@ -29,8 +30,8 @@ if TYPE_CHECKING:
     Ints = npt.NDArray[np.int64]
 
 
-@dataclass(frozen=True)
-class Sketch:
+@dataclass(frozen=True, repr=False)
+class Sketch(Record):
     """A model and its plain wire print, divided into the layers that marks are printed in.
 
     Parts are made when they are first asked for. All of it is the same for any region, so one
@@ -65,8 +66,7 @@ class Sketch:
     def areas(self) -> Geometries:
         """What the closed contours of each layer enclose; nobody may write to the array."""
         found = of_contours(self.cut, self.cut.closed, self.recipe.resolution_mm)
-        found.flags.writeable = False
-        return found
+        return sealed(found)
 
     @cached_property
     def samples(self) -> Samples:
@@ -91,12 +91,12 @@ class Sketch:
     @cached_property
     def level(self) -> tuple[Floats, Floats]:
         """Points on the model's level faces, and the unit normals there, shape (N, 3)."""
-        return level_points(self.mesh, self._normals)
+        return sealed(level_points(self.mesh, self._normals))
 
     @cached_property
     def heights_mm(self) -> Floats:
         """Heights of the slabs, mm."""
-        return np.diff(self.plain.levels[:, 0])
+        return sealed(np.diff(self.plain.levels[:, 0]))
 
     @cached_property
     def touchable(self) -> Touchable:

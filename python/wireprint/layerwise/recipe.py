@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Self
 
 from wireprint.layerwise.moves import Rates
 from wireprint.layerwise.shells import Shells
+from wireprint.records import Record
 
 if TYPE_CHECKING:
     from wireprint.settings import Settings
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     from wireprint.settings.printer import Printer
 
 
-@dataclass(frozen=True)
-class Recipe:
+@dataclass(frozen=True, repr=False)
+class Recipe(Record):
     """What the slicer needs to know, in mm."""
 
     layer_mm: float

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
+from wireprint.records import Record
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -20,8 +22,8 @@ if TYPE_CHECKING:
     Complexes = npt.NDArray[np.complex128]
 
 
-@dataclass(frozen=True)
-class Route:
+@dataclass(frozen=True, repr=False)
+class Route(Record):
     """Lines cut open and in order: what the tip follows."""
 
     #: Points of all lines, mm, shape (P, 3).

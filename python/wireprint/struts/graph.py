@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from wireprint._core import ModelError
+from wireprint.records import Record, sealed
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -27,8 +28,8 @@ def _none() -> Floats:
     return np.empty(0)
 
 
-@dataclass(frozen=True, eq=False)
-class Graph:
+@dataclass(frozen=True, eq=False, repr=False)
+class Graph(Record):
     """Struts between nodes, and what is known of each; read-only arrays."""
 
     #: Positions, mm, (N, 3).
@@ -67,8 +68,7 @@ class Graph:
             if not np.isfinite(own[name]).all():
                 raise ModelError(f"{name}: every number must be finite")
         for name, values in own.items():
-            values.setflags(write=False)
-            object.__setattr__(self, name, values)
+            object.__setattr__(self, name, sealed(values))
 
     def __len__(self) -> int:
         """Count the struts."""
@@ -85,7 +85,7 @@ class Graph:
     @property
     def ends(self) -> Floats:
         """Both ends of each strut, mm, (M, 2, 3)."""
-        return np.asarray(self.nodes[self.edges], np.float64).reshape(-1, 2, 3)
+        return sealed(np.asarray(self.nodes[self.edges], np.float64).reshape(-1, 2, 3))
 
     @classmethod
     def of_segments(cls, segments: npt.ArrayLike, **known: npt.ArrayLike) -> Graph:

@@ -11,6 +11,7 @@ from wireprint import _core
 from wireprint._core import UnprintableError
 from wireprint.certificate import check
 from wireprint.gcode import document, file
+from wireprint.records import Record
 from wireprint.stages import path_params
 from wireprint.struts.effort import Effort
 from wireprint.struts.graph import Graph
@@ -44,7 +45,7 @@ _MOST_RESIZED: Final = 500
 
 
 @dataclass(frozen=True)
-class OrderedGraph:
+class OrderedGraph(Record):
     """A strut graph in the order of printing, and the file that prints it."""
 
     #: Struts in order, each from where it is begun; with times.
@@ -167,7 +168,6 @@ def _ordered(
     found = search(placed, settings, supports=supports, partial=partial, effort=effort)
     placed, shapes = found.graph, found.shapes
     form, reversed_, floating = (np.array(column) for column in zip(*found.strokes, strict=True))
-    floating.setflags(write=False)
     which = shapes.strut[form]
     ordered = placed.chosen(which, reversed_)
     pieces = shapes.pieces(placed, form, reversed_)
