@@ -69,7 +69,9 @@ def test_a_print_that_slice_refuses_is_saved_by_force_alone(tmp_path):
 
     path = tmp_path / "sphere.stl"
     path.write_bytes(examples.stl("sphere"))
-    with Talk(source_of(path, overrides=["wire.coverage_within_mm=0.5"])) as talk:
+    with Talk(
+        source_of(path, overrides=["wire.coverage_within_mm=0.5", "wire.coverage_goal=0"])
+    ) as talk:
         head, _ = talk.ask("save", kind="gcode")
         assert "outer surface would be covered" in head["error"]
         assert not path.with_suffix(".gcode").exists()

@@ -118,7 +118,9 @@ def test_a_host_that_is_not_there_is_told_in_words(server, talk):
 def test_what_slice_refuses_is_not_sent(server, tmp_path):
     path = tmp_path / "sphere.stl"
     path.write_bytes(examples.stl("sphere"))
-    with Talk(source_of(path, overrides=["wire.coverage_within_mm=0.5"])) as talk:
+    with Talk(
+        source_of(path, overrides=["wire.coverage_within_mm=0.5", "wire.coverage_goal=0"])
+    ) as talk:
         head, _ = talk.ask("send", host="shop-octoprint")
         assert "outer surface would be covered" in head["error"]
         assert "export it" in head["error"]

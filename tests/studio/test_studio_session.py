@@ -313,7 +313,9 @@ def test_what_does_not_fit_is_said_and_another_printer_helps(tmp_path):
 def test_a_print_that_slice_refuses_is_given_by_force_alone(tmp_path):
     path = tmp_path / "sphere.stl"
     path.write_bytes(examples.stl("sphere"))
-    with Talk(source_of(path, overrides=["wire.coverage_within_mm=0.5"])) as talk:
+    with Talk(
+        source_of(path, overrides=["wire.coverage_within_mm=0.5", "wire.coverage_goal=0"])
+    ) as talk:
         head, _ = talk.wait("print")
         assert "outer surface would be covered" in head["refused"]
         answer, arrays = talk.ask("export", kind="gcode")
