@@ -28,6 +28,7 @@ type OrderRow = (Vec<(u32, bool, bool)>, Vec<(u32, &'static str)>, u64);
 /// # Errors
 /// `ModelError` for nodes, edges and forms that are none; whatever `watch` raises, and `KeyboardInterrupt`.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "arguments of a Python call")]
 pub fn order_lattice(
     py: Python<'_>,
     nodes: &Bound<'_, PyAny>,
