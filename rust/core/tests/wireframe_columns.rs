@@ -223,3 +223,29 @@ fn a_column_stands_at_the_nearest_place_with_room_or_where_there_is_most() {
         }
     }
 }
+
+#[test]
+fn a_column_serves_what_lies_near_where_it_stands_or_near_what_it_was_wanted_for() {
+    let (mesh, p) = (hall(), wire());
+    let plain = sliced(&mesh);
+    let level = plain.levels.iter().position(|l| (l.z - 40.0).abs() < 0.7).unwrap();
+    let columns = |places: &[DVec2]| {
+        let needs: Vec<Need> =
+            places.iter().map(|&place| Need { level, place, urgent: true }).collect();
+        let mut propped = plain.clone();
+        add(&mut propped, &needs, &[], &head(), &p);
+        propped.columns.iter().map(|column| column.place).collect::<Vec<DVec2>>()
+    };
+    // Beside a wall there is no room, so the column stands away from where it is wanted.
+    let wanted = DVec2::new(49.0, 0.0);
+    let stands = columns(&[wanted])[0];
+    let aside = (stands - wanted).normalize();
+    let (near, far) = (0.18 * p.span_limit, 0.2 * p.span_limit);
+    assert!(stands.distance(wanted) > far - near, "{stands}");
+    assert_eq!(columns(&[wanted, stands + aside * near]), [stands]);
+    assert_eq!(columns(&[wanted, stands + aside * far]).len(), 2);
+    let along = aside.perp();
+    assert!((wanted + along * near).distance(stands) > far);
+    assert_eq!(columns(&[wanted, wanted + along * near]), [stands]);
+    assert_eq!(columns(&[wanted, wanted + along * 3.0 * far]).len(), 2);
+}

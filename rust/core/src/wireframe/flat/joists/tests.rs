@@ -44,9 +44,10 @@ fn joists_go_over_columns_the_cheapest_way() {
     let mut random = Random(6);
     let mut bent = 0;
     for _ in 0..200 {
-        let ends = [at(0.0, 0.0), at(random.between(60.0, 140.0), 0.0)];
+        let from = at(random.between(-90.0, 90.0), random.between(-90.0, 90.0));
+        let ends = [from, from + at(random.between(60.0, 140.0), 0.0)];
         let reach = random.between(3.0, 9.0);
-        let mut top = || at(random.between(-10.0, 150.0), random.between(-11.0, 11.0));
+        let mut top = || from + at(random.between(-10.0, 150.0), random.between(-11.0, 11.0));
         let tops: Vec<DVec2> = (0..6).map(|_| top()).collect();
         // A column's rim, as short strands through its middle.
         let rim =
@@ -55,13 +56,13 @@ fn joists_go_over_columns_the_cheapest_way() {
         let face = face(&[], &holds, &tops);
         let cost = |line: &[DVec2]| {
             let wants: usize = line.windows(2).map(|p| missing(&face, &LIMITS, [p[0], p[1]])).sum();
-            let strays: f64 = line[1..].iter().map(|p| p.y.abs()).sum();
+            let strays: f64 = line[1..].iter().map(|p| (p.y - from.y).abs()).sum();
             (wants, line.len(), strays)
         };
         let mut able: Vec<DVec2> = tops
             .iter()
             .copied()
-            .filter(|top| top.y.abs() <= reach && top.x > 0.0 && top.x < ends[1].x)
+            .filter(|top| (top.y - from.y).abs() <= reach && top.x > from.x && top.x < ends[1].x)
             .collect();
         able.sort_by(|a, b| a.x.total_cmp(&b.x));
         let ways = (0_u32..1 << able.len()).map(|chosen| {

@@ -167,3 +167,20 @@ fn beside_layers_only_loose_gaps_are_tied_where_the_plain_print_does_without() {
         });
     }
 }
+
+#[test]
+fn the_plain_print_s_ties_are_known_by_slab_and_spacing() {
+    let own = curve(&square(50.0));
+    let scene = Scene::slab(5.0, &[square(50.0)]);
+    let peak = own.position(9.0).extend(Z);
+    let posts = vec![Post { base: peak - DVec3::X * 6.0, peak, s: 9.0 }];
+    scene.ask(|cx, journal| {
+        let own_key = (journal.slab(), TIE.to_bits());
+        let others = [(journal.slab() + 1, own_key.1), (own_key.0, LEDGE.to_bits())];
+        for (key, tied) in [(own_key, true), (others[0], false), (others[1], false)] {
+            let guide = Guide::new(&[], vec![Spokes { key, posts: posts.clone() }]);
+            let cx = &Context { guide: &guide, ..*cx };
+            assert_eq!(was_tied(cx, journal, &own, Z), tied, "{key:?}");
+        }
+    });
+}

@@ -110,6 +110,28 @@ fn only_free_places_are_listed_and_the_first_stands_where_it_is_told_to() {
 }
 
 #[test]
+fn how_high_two_walls_begin_does_not_change_their_weave() {
+    let scene = Scene::slab(HEIGHT, &[]);
+    let (outer, inner) = (round(15.0, 97), round(12.0, 83));
+    let woven = |base: f64| {
+        let rims = [&outer, &inner].map(|curve| {
+            let points = below(curve, true).points.iter().map(|p| p.with_z(base)).collect();
+            Rim { closed: true, ..Rim::line(points) }
+        });
+        let walls = [
+            Wall { curve: &outer, rim: &rims[0], begin: 0.0 },
+            Wall { curve: &inner, rim: &rims[1], begin: 0.0 },
+        ];
+        let found =
+            scene.ask(|cx, journal| weave_up(cx, journal, base + HEIGHT, &walls, None)).unwrap();
+        found.peaks.iter().map(|peak| peak.truncate()).collect::<Vec<DVec2>>()
+    };
+    let (low, high) = (woven(0.35), woven(60.35));
+    assert!(low.len() > 6 && low.len() == high.len(), "{} and {}", low.len(), high.len());
+    assert!(low.iter().zip(&high).all(|(a, b)| a.distance(*b) < 1e-6));
+}
+
+#[test]
 fn a_contour_stands_on_its_posts_in_its_own_order() {
     let scene = Scene::slab(HEIGHT, &[square(20.0)]);
     // Against the contour's way: from the corner at the upper left down.

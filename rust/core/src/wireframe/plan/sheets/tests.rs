@@ -50,6 +50,7 @@ fn a_floor_that_other_bodies_enclose_is_lost_beside_their_contours() {
     );
     // A hole that is no wider than what counts as beside it is none.
     assert!(!lost(&plate, &[], &[square(12.0), hole(0.4)]));
+    assert!(lost(&plate, &[], &[square(12.0), hole(0.8)]));
     // Nor is a slope.
     assert!(!lost(&[square(11.0)], &[square(12.0)], &[square(10.0)]));
 }
