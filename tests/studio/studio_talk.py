@@ -88,9 +88,14 @@ class Talk:
 def _others_sleep():
     """Tell whether no thread but this one runs, or would if a processor were free; needs /proc."""
     own = threading.get_native_id()
-    states = [
-        (task / "stat").read_text().rpartition(")")[2].split()[0]
-        for task in Path("/proc/self/task").iterdir()
-        if int(task.name) != own
-    ]
-    return all(state == "S" for state in states)
+    others = (task for task in Path("/proc/self/task").iterdir() if int(task.name) != own)
+    return all(_sleeps(task) for task in others)
+
+
+def _sleeps(task):
+    """Tell whether a thread sleeps; one that has ended since it was listed does."""
+    try:
+        told = (task / "stat").read_text()
+    except (FileNotFoundError, ProcessLookupError):
+        return True
+    return told.rpartition(")")[2].split()[0] == "S"
