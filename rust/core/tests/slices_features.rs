@@ -126,6 +126,17 @@ fn flats_have_the_area_of_their_faces_and_the_width_of_their_shape() {
 }
 
 #[test]
+fn a_face_that_leans_by_less_than_a_degree_is_a_flat() {
+    let has_flats = |degrees: f64| {
+        let plate = cuboid(DVec3::new(-10.0, -5.0, 0.0), DVec3::new(10.0, 5.0, 4.0));
+        let leaning = moved(&plate, DMat3::from_rotation_y(degrees.to_radians()), DVec3::ZERO);
+        !flats(&leaning, 4.0).is_empty()
+    };
+    // The cosine of the angle is at least 0.9999: 0.81 degrees.
+    assert!(has_flats(0.0) && has_flats(0.8) && !has_flats(0.83));
+}
+
+#[test]
 fn a_flat_smaller_than_asked_for_is_none() {
     let mesh = cuboid(DVec3::ZERO, DVec3::new(3.0, 3.0, 20.0));
     assert_eq!((flats(&mesh, 2.9).len(), flats(&mesh, 3.1).len()), (2, 0));

@@ -75,3 +75,17 @@ fn walls_from_slice_to_slice_hide_nothing_however_flat_they_are() {
     let roof = moved(&bar(), DMat3::from_rotation_x(0.1), DVec3::ZERO);
     assert!(found(&roof, &[8.0, 9.0, 10.0, 11.0, 16.0], &[], 2.0).is_empty());
 }
+
+#[test]
+fn an_outline_is_told_at_the_first_of_segments_shorter_than_a_step() {
+    // A square of 10 mm in segments of a quarter of one; what lies on its left half is picked.
+    let side = |from: DVec2, to: DVec2| (0..40).map(move |i| from.lerp(to, f64::from(i) / 40.0));
+    let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(DVec2::from);
+    let around = (0..4).flat_map(|i| side(corners[i], corners[(i + 1) % 4]));
+    let points: Vec<DVec2> = around.collect();
+    let of = Loop { faces: vec![0; points.len()], points, closed: true };
+    assert!((hidden_length(&of, 1.0, &|_| true) - 40.0).abs() < 1e-9);
+    assert_eq!(hidden_length(&of, 1.0, &|_| false), 0.0);
+    let left = hidden_length(&of, 1.0, &|place| place.x < 5.0);
+    assert!((left - 20.0).abs() <= 2.0, "{left}");
+}

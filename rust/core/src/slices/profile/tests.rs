@@ -93,3 +93,9 @@ fn directions_are_sixteenths_of_a_turn() {
         assert_eq!(direction(DVec2::from_angle(angle.to_radians()) * 3.0), wanted);
     }
 }
+
+#[test]
+fn a_vector_along_an_axis_points_where_that_axis_does() {
+    let axes = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
+    assert_eq!(axes.map(direction), [0, 4, 8, 12]);
+}
