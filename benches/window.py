@@ -45,6 +45,9 @@ STRANDS = 178_405
 FRAMES = 5
 
 
+DRAWN = "document.querySelector('.wireprint').dataset.drawn"
+
+
 def address_s(model):
     """Seconds until the command prints where the window is."""
     begin = time.perf_counter()
@@ -57,14 +60,18 @@ def address_s(model):
 
 
 def first_picture_s(browser, model):
-    """Seconds from the start of the command to the first picture with strands."""
+    """Seconds from the start of the command to the first picture with strands; what went wrong."""
     begin = time.perf_counter()
     window = Window(browser, model.path, *model.options)
+    page = browser.new_page(viewport={"width": 1000, "height": 640})
+    faults = []
+    page.on("pageerror", lambda error: faults.append(str(error)))
     try:
-        page = window.page()
-        took = time.perf_counter() - begin
-        return took, page.evaluate("store.strandCount.value"), window.faults
+        page.goto(window.url)
+        until(page, "document.querySelector('.wireprint')?.dataset.drawn > 0")
+        return time.perf_counter() - begin, page.evaluate(DRAWN), faults
     finally:
+        page.close()
         window.close()
 
 
