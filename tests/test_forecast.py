@@ -16,6 +16,7 @@ import pytest
 import wireprint
 from command import run
 from wireprint import Settings, _core, examples, forecast_terms, load_mesh, make, simulate
+from wireprint.forecast_scales import scale_of
 from wireprint.forecast_words import figure, sentences, unknown
 from wireprint.regions import Box, Region, ZRange
 
@@ -259,6 +260,10 @@ def test_a_page_shows_strands_in_colours(cube, tmp_path, colour):
     told = [zlib.decompress(base64.b64decode(part)) for part in parts]
     assert any(b'"more than' in part and b'"no ' + colour.encode() in part for part in told)
     found = simulate(target)
+    scale = scale_of(found, colour)
+    assert any(f'"coloured_by":"{scale.name}"'.encode() in part for part in told)
+    worst = f"more than {scale.written(scale.edges[-1])} {scale.unit}"
+    assert any(worst.encode() in part for part in told)
     assert "What this forecast does not know" in text
     words = [*sentences(found), *unknown(found.judge.settings)]
     assert [html.unescape(one) for one in re.findall("<li>(.*?)</li>", text)] == words

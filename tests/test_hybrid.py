@@ -1,5 +1,6 @@
 """Wire prints with regions of layers: what is marked is layers, what is not stays wire."""
 
+import re
 from types import SimpleNamespace
 
 import numpy as np
@@ -11,6 +12,7 @@ from scipy.spatial import cKDTree
 from test_random_models import BALL, blob, tower
 from wireprint import examples
 from wireprint._core import KINDS, Mesh
+from wireprint.certificate import check
 from wireprint.hybrid import prove
 from wireprint.hybrid.motion import motion
 from wireprint.hybrid.plan import Plan
@@ -302,6 +304,27 @@ def test_a_run_that_breaks_a_rule_stays_wire_and_is_named(models, planted):
     assert len(made.regions.plan.sections) == len(plans[0].sections) - 1
     dropped = made.figures()["regions"]["dropped"]
     assert [(run["slab"], run["reason"]) for run in dropped] == [(lost.slab, "overhang")]
+
+
+def test_what_was_mended_is_a_whole_file_with_its_pictures_and_judged_as_such(
+    models, planted, monkeypatch
+):
+    planted(lambda plan: plan.samples.middle[np.flatnonzero(plan.runs.of_sample == 0)[0]])
+    judged = []
+
+    def mended(strands, *_, judge, **__):
+        judged.append(judge(strands))
+        return strands
+
+    monkeypatch.setattr(prove, "mended", mended)
+    region = Region().add(Box(low_mm=(-20, -20, 10), high_mm=(2, 20, 12)))
+    made = make(models("cube"), Settings.load("prusa-mk4s", "pla"), region)
+    sizes = made.settings.printer.gcode.thumbnails
+    assert len(re.findall(rb"; thumbnail\w* begin", made.gcode)) == len(sizes) > 0
+    own, anew = made.certificate.core, check(made.gcode, made.settings).core
+    np.testing.assert_array_equal(own.strand_lines, anew.strand_lines)
+    # The draft that was judged in between has none, and so fewer lines.
+    assert judged[0].core.strand_lines[0] < own.strand_lines[0]
 
 
 def test_paint_has_no_inside(models):

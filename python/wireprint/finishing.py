@@ -135,9 +135,12 @@ class Finishing:
         def written(path: Toolpath) -> Written:
             return self._written(path, settings)
 
+        def draft(path: Toolpath) -> Written:
+            return self._written(path, settings, pictures=False)
+
         with self.clock.stage("regions"):
             sketch = self.kept or Sketch(self.place.mesh, planned, settings, self.certify)
-            return proved(sketch, self.region, self.clock.step, write=written)
+            return proved(sketch, self.region, self.clock.step, written, draft)
 
     def _replanned(
         self, settings: Settings, planned: Wireframe, certificate: Certificate | None
@@ -161,7 +164,7 @@ class Finishing:
             at_mm=self.at_mm,
         )
 
-    def _written(self, path: Toolpath, settings: Settings) -> Written:
+    def _written(self, path: Toolpath, settings: Settings, *, pictures: bool = True) -> Written:
         remarks = [] if self.orientation is None else [str(self.orientation)]
         remarks += [str(self.place)] if self.place.turn_deg else []
         if self.standing is not None:
@@ -169,4 +172,4 @@ class Finishing:
 
             settings, started = over(settings, self.standing)
             remarks += started
-        return written_file(path, settings, self.date, remarks)
+        return written_file(path, settings, self.date, remarks, pictures=pictures)

@@ -42,6 +42,8 @@ class _Drawn:
 
     strands: Strands
     entries: list[Entry]
+    #: The figure, with its unit.
+    coloured_by: str
     headline: str
     size_mm: list[float]
     #: The worst place by the figure's rule, mm, if there is one.
@@ -82,7 +84,14 @@ def page(forecast: Forecast, figure: str, title: str) -> bytes:
             "What this forecast does not know": unknown(forecast.judge.settings),
         },
     )
-    sheet.add_strands(drawn.strands, drawn.colours, drawn.entries, travels=False, gcode=None)
+    sheet.add_strands(
+        drawn.strands,
+        drawn.colours,
+        drawn.entries,
+        travels=False,
+        gcode=None,
+        coloured_by=drawn.coloured_by,
+    )
     return sheet.text().encode()
 
 
@@ -123,10 +132,10 @@ def _drawn(forecast: Forecast, figure: str, title: str) -> _Drawn:
     size_mm = np.ptp(ends.reshape(-1, 3), axis=0).tolist() if len(ends) else [0.0] * 3
     place = forecast.rules[RULES[figure]].place_mm
     headline = f"{title}: {scale.name}, {forecast.trust}"
-    return _Drawn(strands, entries, headline, size_mm, [] if place is None else [place])
+    return _Drawn(strands, entries, scale.name, headline, size_mm, [] if place is None else [place])
 
 
 def _names(scale: Scale) -> list[str]:
-    edges = [f"{edge:.2g}" for edge in scale.edges]
-    between = [f"{low} to {high}" for low, high in pairwise(edges)]
-    return [f"up to {edges[0]}", *between, f"more than {edges[-1]}"]
+    edges, unit = [scale.written(edge) for edge in scale.edges], scale.unit
+    between = [f"{low} to {high} {unit}" for low, high in pairwise(edges)]
+    return [f"up to {edges[0]} {unit}", *between, f"more than {edges[-1]} {unit}"]

@@ -22,8 +22,9 @@ RULES: Final[dict[str, Name]] = {
 }
 #: Where one colour ends and the next begins, in shares of a figure's limit.
 _SHARES: Final = (0.25, 0.5, 1.0, 2.0)
-#: The same of a weld, which has no limit: in shares of a whole one.
-_MISSING: Final = (0.2, 0.4, 0.6, 0.8)
+#: The same of a weld, which has no limit: in hundredths of a whole one.
+_MISSING: Final = (20.0, 40.0, 60.0, 80.0)
+_PERCENT: Final = 100.0
 
 
 @dataclass(frozen=True)
@@ -32,8 +33,18 @@ class Scale:
 
     values: Array
     edges: tuple[float, ...]
-    #: What it is, with its unit.
-    name: str
+    #: What it is, and in what its amounts are.
+    quantity: str
+    unit: str
+
+    @property
+    def name(self) -> str:
+        """What it is, with its unit."""
+        return f"{self.quantity}, {self.unit}"
+
+    def written(self, amount: float) -> str:
+        """Return an amount in two digits, without its unit."""
+        return f"{float(f'{amount:.2g}'):g}"
 
 
 def scale_of(forecast: Forecast, figure: str) -> Scale:
@@ -49,14 +60,15 @@ def scale_of(forecast: Forecast, figure: str) -> Scale:
     settings = forecast.judge.settings
     strand = settings.strand_mm
     if figure == "sag":
-        return Scale(forecast.sag_mm, _edges(strand), "sag, mm")
+        return Scale(forecast.sag_mm, _edges(strand), "sag", "mm")
     if figure == "compliance":
         limit = strand / 2 / settings.wire.pull_n
-        return Scale(forecast.compliance_mm_n, _edges(limit), "gives way, mm/N")
+        return Scale(forecast.compliance_mm_n, _edges(limit), "gives way", "mm/N")
     if figure == "flow":
         limit = forecast.rules["flows"].limit or 0.0
-        return Scale(abs(forecast.flow_share - 1), _edges(limit), "off its material, share")
-    return Scale(1 - forecast.weld, _MISSING, "missing to a weld, share")
+        off = _PERCENT * abs(forecast.flow_share - 1)
+        return Scale(off, _edges(_PERCENT * limit), "off its material", "%")
+    return Scale(_PERCENT * (1 - forecast.weld), _MISSING, "missing to a weld", "%")
 
 
 def _edges(limit: float) -> tuple[float, ...]:

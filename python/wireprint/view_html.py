@@ -104,6 +104,7 @@ class Page:
         *,
         travels: bool,
         gcode: bytes | None,
+        coloured_by: str = "feature",
     ) -> None:
         """Show the strands that have a colour.
 
@@ -119,6 +120,8 @@ class Page:
             Whether ways without extrusion can be switched on.
         gcode
             The text that they are of, if there is one: it tells times, layers and the printer.
+        coloured_by
+            What the legend's entries tell apart.
         """
         kinds = {entry.label: i for i, entry in enumerate(entries)}
         of_label = np.array([kinds.get(label, -1) for label in strands.labels], np.int64)
@@ -129,7 +132,7 @@ class Page:
         known = untimed(len(strands)) if gcode is None or lines is None else replay(gcode, lines)
         ends = strands.segments
         self._set_bed(known, ends[shown].reshape(-1, 3))
-        self._tell_print(strands, known, shown, kind, entries, travels)
+        self._tell_print(strands, known, shown, kind, entries, travels, coloured_by)
 
     def add_mesh(self, mesh: Mesh) -> None:
         """Show a model."""
@@ -176,6 +179,7 @@ class Page:
         kind: npt.NDArray[np.int64],
         entries: Sequence[Entry],
         travels: bool,
+        coloured_by: str,
     ) -> None:
         ends = strands.segments[shown] - self._centre
         low, span = box_of(ends) if len(ends) else (np.zeros(3), np.ones(3))
@@ -199,6 +203,7 @@ class Page:
             refused="",
             made_s=None,
             labels=[_label(entry) for entry in entries],
+            coloured_by=coloured_by,
             low=low.tolist(),
             span=span.tolist(),
             diameter_step_mm=DIAMETER_STEP_MM,

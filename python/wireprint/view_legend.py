@@ -46,7 +46,11 @@ class Sheet:
         self.entries = entries
         self.em = max(LEAST_FONT_PX, round(min(size) / LINES_PER_SIDE))
         self.font = ImageFont.load_default(self.em)
-        self.title_font = ImageFont.load_default(self.em * 1.25)
+        # A long title is written smaller, so that all of it is there.
+        large = ImageFont.load_default(self.em * 1.25)
+        room = size[0] - 2.0 * self.em
+        share = min(1.0, room / max(large.getlength(title), 1.0))
+        self.title_font = ImageFont.load_default(max(self.em * 1.25 * share, LEAST_FONT_PX / 2))
         self.line = round(self.em * 1.6)
         self.gap = self.em
 

@@ -50,11 +50,16 @@ def to_gcode(
 
 
 def written_file(
-    path: Toolpath, settings: Settings, date: datetime | None, remarks: Iterable[str] = ()
+    path: Toolpath,
+    settings: Settings,
+    date: datetime | None,
+    remarks: Iterable[str] = (),
+    *,
+    pictures: bool = True,
 ) -> Written:
-    """Return `to_gcode`'s text with the times of its planner."""
+    """Return `to_gcode`'s text with the times of its planner; a draft needs no pictures."""
     # The pictures take as long as all the text: they are drawn beside it.
-    thumbnails = _thumbnails(path, settings)
+    thumbnails = _thumbnails(path, settings) if pictures else list
     return file.write(path, settings, date, thumbnails, remarks)
 
 

@@ -45,6 +45,8 @@ class Window:
         self.requests, self.faults, self._pages = [], [], []
 
     def close(self):
+        for page in self._pages:
+            page.context.close()
         self.process.terminate()
         self.process.wait()
         self.process.stdout.close()

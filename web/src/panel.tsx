@@ -73,8 +73,8 @@ function Foretold(): JSX.Element {
     <>
       <div class="ramp">
         <i style={{ background: `linear-gradient(90deg, ${RAMP.map(css).join(", ")})` }} />
-        <small>0</small>
-        <small>{`${Number(figure.most.toPrecision(2))} and more`}</small>
+        <small>{`0 ${figure.unit}`}</small>
+        <small>{`${figure.most} ${figure.unit} and more`}</small>
       </div>
       <p class="quiet">{`${figure.name}; ${forecast.trust}: a model, no part of the certificate. Grey: nothing is told.`}</p>
       <ul class="told">
@@ -133,7 +133,7 @@ function Colours(): JSX.Element {
           .filter(([name]) => tells(name as Mode))
           .map(([name, words]) => (
             <option key={name} value={name}>
-              {words}
+              {name === "feature" ? (store.print.value?.coloured_by ?? words) : words}
             </option>
           ))}
       </select>
@@ -178,7 +178,11 @@ function facts(): [string, string][] {
   if (store.host.value === "page" && time !== undefined) found.push(["print time", store.clock(time)]);
   if (store.host.value === "page" && laid) found.push(["strands", `${(laid / 1000).toFixed(2)} m`]);
   if (filament !== undefined && grams !== undefined)
-    found.push(["filament", `${(filament / 1000).toFixed(2)} m · ${grams.toFixed(2)} g${cost ? ` · ${cost.toFixed(2)}` : ""}`]);
+    {
+    found.push(["filament", `${(filament / 1000).toFixed(2)} m · ${grams.toFixed(2)} g`]);
+    // Nobody tells the currency: it is that of the price.
+    if (cost) found.push(["costs", `${cost.toFixed(2)}, at ${Number(((1000 * cost) / grams).toPrecision(4))} a kilogram`]);
+  }
   const hanging = store.rest.value?.chord_deviation_mm;
   if (off != null) found.push(["off the surface", `${off.toFixed(2)} mm on average`]);
   if (hanging != null) found.push(["relaxed", `${hanging.toFixed(2)} mm`]);

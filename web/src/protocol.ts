@@ -95,6 +95,8 @@ export interface Print {
   refused: string;
   made_s: number | null;
   labels: Label[];
+  /** What labels tell apart, if that is not what strands are for. */
+  coloured_by?: string;
   low: Point;
   span: Point;
   diameter_step_mm: number;
@@ -124,12 +126,12 @@ export interface Welcome {
   materials: string[];
 }
 
-/** What strands would do, by a model: of each figure its name, and the amount that is drawn worst. */
+/** What strands would do, by a model: of each figure its name and unit, and the amount that is drawn worst. */
 export interface Forecast {
   revision: number;
   error: string;
   trust?: string;
-  figures?: Record<string, { name: string; most: number }>;
+  figures?: Record<string, { name: string; unit: string; most: string }>;
   sentences?: string[];
 }
 

@@ -14,7 +14,7 @@ import shapely
 
 from wireprint._core import within
 from wireprint.hybrid.group import Group
-from wireprint.layerwise.areas import Geometries, buffered, pieces_in
+from wireprint.layerwise.areas import Geometries, buffered, grown, pieces_in
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -80,8 +80,8 @@ def aprons(
     below, rims, walled = below[unsure], rims[unsure], walled[unsure]
     on_step(_STEP)
     about = _about(rims, outer[layers], first)
-    loose = shapely.difference(outer[layers], buffered(about, first))
-    loose = shapely.difference(loose, buffered(_about(walled, loose, step), step))
+    loose = shapely.difference(outer[layers], grown(about, first))
+    loose = shapely.difference(loose, grown(_about(walled, loose, step), step))
     rims = shapely.union(rims, walled)
     # Walls that close in find the fill of the layer below under them, where there is one.
     closing = shapely.intersection(loose, below)
@@ -104,9 +104,9 @@ def aprons(
     here, below = (pieces_in(each, boxes) for each in (areas[layers], below))
     between = shapely.symmetric_difference(here, below)
     room = shapely.intersection(between, buffered(loose, reach))
-    room = shapely.intersection(room, buffered(_about(rims, loose, 2 * reach), reach))
+    room = shapely.intersection(room, grown(_about(rims, loose, 2 * reach), reach))
     about = _about(walls[layers], loose, reach + step)
-    room = shapely.difference(room, buffered(about, _DOUBLE * step))
+    room = shapely.difference(room, grown(about, _DOUBLE * step))
     below = pieces_in(shapely.intersection(below, shapely.box(*boxes.T)), boxes)
     groups = []
     for number in range(1, _MOST + 1):

@@ -118,6 +118,7 @@ def proved(
     region: Region,
     on_step: Callable[[str], None] = lambda _: None,
     write: Callable[[Toolpath], Written] | None = None,
+    draft: Callable[[Toolpath], Written] | None = None,
 ) -> Proved:
     """Print a region as layers, without the runs that break the rules.
 
@@ -131,6 +132,8 @@ def proved(
         Called before each step with its name; it may raise to give up.
     write
         Makes the file that is judged; default: one without pictures.
+    draft
+        Makes what is judged while lines are mended, where that takes less; default: the file.
 
     Notes
     -----
@@ -143,7 +146,7 @@ def proved(
     mesh, settings = sketch.mesh, sketch.settings
     write = write or partial(file.write, settings=settings)
 
-    def attempt(strands: Wireframe) -> _Attempt:
+    def attempt(strands: Wireframe, write: Callable[[Toolpath], Written] = write) -> _Attempt:
         on_step(f"moves, round {rounds}")
         path = toolpath(strands, settings)
         on_step(f"file, round {rounds}")
@@ -167,10 +170,10 @@ def proved(
         blamed, hollow = _blamed(plan, first.verdict, settings)
         if not (blamed or hollow):
             return first.proved(plan, rounds)
-        trimmed = _trimmed(plan, first, blamed, attempt, on_step)
+        trimmed = _trimmed(plan, first, blamed, partial(attempt, write=draft or write), on_step)
         if trimmed is not None:
-            lost_mm = length_mm(first.strands.strands) - length_mm(trimmed.strands.strands)
-            return trimmed.proved(plan, rounds, lost_mm)
+            lost_mm = length_mm(first.strands.strands) - length_mm(trimmed.strands)
+            return attempt(trimmed).proved(plan, rounds, lost_mm)
         loose = _loose(first, settings)
         if rounds == 1 and len(loose):
             plan, without = plan.avoiding(loose), plan.without(blamed, hollow)
@@ -201,7 +204,7 @@ def _trimmed(
     blamed: Mapping[int, str],
     attempt: Callable[[Wireframe], _Attempt],
     on_step: Callable[[str], None],
-) -> _Attempt | None:
+) -> Wireframe | None:
     """Leave out of a print the strands that break the rules, mostly pieces of layers' lines.
 
     None where that does not help, or costs much of what dropping the runs that are to blame would.
@@ -209,23 +212,15 @@ def _trimmed(
     area_mm2 = np.array([run.area_mm2 for run in plan.sections])
     blamed_mm2 = float(area_mm2[list(blamed)].sum())
     at_stake = blamed_mm2 / max(float(area_mm2.sum()), 1e-9) if blamed else 1.0
-    last = first
-
-    def judge(left: Wireframe) -> Certificate:
-        nonlocal last
-        last = attempt(left)
-        return last.verdict
-
-    left = mended(
+    return mended(
         first.strands,
         first.verdict,
         plan.settings,
         rounds=_MENDINGS,
         most_mm=_CHEAPER * at_stake * _layers_mm(first.strands),
-        judge=judge,
+        judge=lambda left: attempt(left).verdict,
         on_round=lambda: on_step("what falls with what breaks a rule"),
     )
-    return None if left is None else last
 
 
 def _loose(found: _Attempt, settings: Settings) -> npt.NDArray[np.float64]:

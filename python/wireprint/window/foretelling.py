@@ -87,5 +87,9 @@ def _forecast(printed: Printed, settings: Settings) -> tuple[dict[str, Any], dic
         most = scale.edges[-1]
         shares = np.minimum(scale.values / most, 1.0)
         arrays[figure] = np.nan_to_num(shares, nan=-1.0).astype("<f4")
-        figures[figure] = {"name": scale.name, "most": most}
+        figures[figure] = {
+            "name": scale.quantity,
+            "unit": scale.unit,
+            "most": scale.written(most),
+        }
     return {"trust": found.trust, "figures": figures, "sentences": sentences(found)}, arrays
