@@ -31,16 +31,17 @@ def roomy(machine):
     return Settings.load(*machine.split("/"), overrides=overrides)
 
 
-def on_each(machines, models, evaluate, jobs, only=""):
+def on_each(machines, models, evaluate, jobs, only="", known=()):
     """Evaluate models (see `plan`) on printers; yield printer, model and row as they come.
 
-    `only`: those whose file's name has this text.
+    `only`: those whose file's name has this text; `known`: printers and names that are left out.
     """
     tasks, of = [], {}
     for machine in machines:
         settings = roomy(machine).model_dump(mode="json")
         for task in plan(models, Placement(), {}):
-            if only not in Path(task.model).name:
+            name = Path(task.model).name
+            if only not in name or (machine, name) in known:
                 continue
             of[len(tasks)] = machine
             tasks.append(replace(task, index=len(tasks), settings=settings))

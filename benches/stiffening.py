@@ -3,9 +3,13 @@
 python benches/stiffening.py [manifest.csv] [-o PAGE] [--jobs N]
 
 For each model of `../shared/models` at the size of its manifest, on two printers: how far what a
-strand ends on is pulled aside at worst, before and after, and what that costs.
+strand ends on is pulled aside at worst, before and after, and what that costs. Rows are kept in
+`target/stiffening.jsonl` as they come: a run that was stopped is gone on with, as long as `rust`
+and `python` are those that the rows were made by.
 """
 
+import json
+import subprocess
 import sys
 
 import shared_models
@@ -26,7 +30,7 @@ tried is thicker strands, lower slabs (about the places that still give way, whe
 throughout), posts by the other rule, no supports where those cover nothing, and several of these.
 The quickest that suffices is printed, else what gives way least, if that is a tenth less; none
 that takes more than four times as long. It is a model throughout, with ideal joints; no figure was
-measured on a printer.
+measured on a printer. All rows were made by the same sources: {sources}.
 
 {tables}
 {summary}
@@ -48,6 +52,31 @@ def evaluate(model, settings, row):
     row["with"] = "" if told is None else " ".join(told.overrides) or "nothing helps"
     if told is None and rule.worst is not None:
         assert simulate(made.gcode, settings).rules["meets"].worst == rule.worst
+
+
+ROWS = shared_models.REPOSITORY / "target" / "stiffening.jsonl"
+
+
+def sources():
+    """Name what prints are made by: the trees of git; none where something is not committed."""
+    git = ["git", "-C", str(shared_models.REPOSITORY)]
+    changed = subprocess.check_output([*git, "status", "--porcelain", "rust", "python"], text=True)
+    if changed:
+        sys.exit("commit what is changed in rust and python first: rows are told by that")
+    trees = [
+        subprocess.check_output([*git, "rev-parse", "--short=12", f"HEAD:{name}"], text=True)
+        for name in ("rust", "python")
+    ]
+    return "`rust` {}, `python` {} (`git rev-parse HEAD:rust HEAD:python`)".format(
+        *(tree.strip() for tree in trees)
+    )
+
+
+def kept(made_by):
+    """Return the rows that the same sources made already, each with its machine and model."""
+    lines = ROWS.read_text(encoding="utf-8").splitlines() if ROWS.exists() else []
+    rows = [json.loads(line) for line in lines]
+    return [row for row in rows if row["sources"] == made_by]
 
 
 def millimetres(value):
@@ -83,22 +112,30 @@ def main():
     """Measure, and write the page."""
     options = shared_models.arguments(__doc__.splitlines()[0], "stiffening.md")
     jobs = options.jobs or cores()
+    made_by = sources()
     found = {machine: [] for machine in MACHINES}
-    for machine, model, row in shared_models.on_each(MACHINES, [options.manifest], evaluate, jobs):
-        found[machine].append(row | {"model": model})
+    for row in kept(made_by):
+        found[row["machine"]].append(row)
+    known = {(machine, row["model"]) for machine, rows in found.items() for row in rows}
+    fresh = shared_models.on_each(MACHINES, [options.manifest], evaluate, jobs, known=known)
+    ROWS.parent.mkdir(exist_ok=True)
+    for machine, model, row in fresh:
+        row |= {"model": model, "machine": machine, "sources": made_by}
+        found[machine].append(row)
+        with ROWS.open("a", encoding="utf-8") as file:
+            file.write(json.dumps(row) + "\n")
         print(machine, model, row.get("error") or row.get("after_mm"), file=sys.stderr, flush=True)
-        # Anew with every row: what was measured stays, should the rest not be.
-        options.output.write_text(page(found), encoding="utf-8")
+    options.output.write_text(page(found, made_by), encoding="utf-8")
 
 
-def page(found):
+def page(found, made_by):
     """Lay out the rows of each machine."""
     tables, summary = "", ""
     for machine, rows in found.items():
         rows.sort(key=lambda row: row["model"])
         tables += f"## {machine}\n\n{shared_models.markdown(COLUMNS, rows)}\n\n"
         summary += told(machine, rows)
-    return PAGE.format(tables=tables.rstrip(), summary=summary.rstrip())
+    return PAGE.format(tables=tables.rstrip(), summary=summary.rstrip(), sources=made_by)
 
 
 if __name__ == "__main__":

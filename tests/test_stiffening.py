@@ -131,6 +131,17 @@ def test_slabs_are_lower_where_that_is_asked_for(reed):
     assert slabs[~inside].max() > 4
 
 
+def test_slabs_that_were_low_already_are_told_with_the_rest(reed):
+    """A plain print may have got bands of its own; with other strands it would get others."""
+    settings = Settings.load(overrides=["wire.low_slabs_mm=[0, 8, 3]"])
+    lowered = make(reed, settings, compare=False)
+    kept = frozenset({"wire.slab_max_mm", "wire.low_slabs_mm"})
+    made, _, told = stiffened(reed, lowered, None, {"compare": False}, kept=kept)
+    assert {one.partition("=")[0] for one in told.overrides} >= {"wire.flow", "wire.low_slabs_mm"}
+    again = make(reed, Settings.load(overrides=told.overrides), compare=False)
+    assert again.gcode == made.gcode
+
+
 def test_a_plain_slice_is_not_stiffened(tmp_path, cube):
     """Nor does a forecast change a print that holds."""
     paths = [tmp_path / name for name in ("a.gcode", "b.gcode")]

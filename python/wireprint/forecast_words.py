@@ -79,7 +79,8 @@ def unknown(settings: Settings) -> list[str]:
         "Joints are taken as rigid, strands as straight and of one thickness: a print gives way at "
         "least as far as is told.",
         "Welds are a ranking of places, not a strength; what a hand may press with is a bound for "
-        "ideal joints and small squeezes, no promise.",
+        "ideal joints and small squeezes, no promise, and for fingers at half of the height alone: "
+        "a handle or a rim may bear less.",
         "Left out: what the nozzle pushes when it meets a knot, curling and warping, vibration, "
         "draughts between strands, humidity, crystallisation, strings over travels.",
         "It is no part of the certificate, and no promise that a print succeeds.",

@@ -194,7 +194,10 @@ def stiffened(
     tuple of WirePrint, Forecast, and Stiffened or None
         The print to take, its forecast, and what was tried; None where nothing was amiss.
     """
-    first = _Print(_Way(), plain, simulate(plain.gcode, plain.settings, grip_n), grip_n)
+    # Bands that the plain print has already are told, too: planned with other strands it might get
+    # others.
+    way = _Way(low_slabs_mm=plain.settings.wire.low_slabs_mm)
+    first = _Print(way, plain, simulate(plain.gcode, plain.settings, grip_n), grip_n)
     if not first.forecast.core.frame_judged or first.lacks <= 1:
         return plain, first.forecast, None
 
@@ -226,17 +229,17 @@ def stiffened(
             longest_s = _longest_s(first, known)
             found = tried([way for base in bases for way in _ways(base, kept, longest_s)])
             found += tried([way for base in bases for way in _thicker_yet(base, known)])
-            found += tried([way for base in bases for way in _otherwise(base, kept)])
+            found += tried([way for base in bases for way in _otherwise(base, first, kept)])
             if not found:
                 found = tried([way for base in bases for way in _lower(base, kept, longest_s)])
-            bases = _promising(bases, found, _longest_s(first, known))
+            bases = _promising(first, bases, found, _longest_s(first, known))
             if not bases:
                 break
         for _ in range(_REFINED):
-            tried(list(_cheaper(_best(first, known), kept)))
+            tried(list(_cheaper(_best(first, known), first, kept)))
     best = _best(first, known)
     told = Stiffened(
-        best.way.overrides(),
+        () if best is first else best.way.overrides(),
         first.forecast.rules["meets"].worst,
         best.forecast.rules["meets"].worst,
         best.forecast.rules["meets"].limit or 0.0,
@@ -267,7 +270,9 @@ def _best(first: _Print, known: dict[_Way, _Print | None]) -> _Print:
     return least if least.lacks < _WORTH * first.lacks else first
 
 
-def _promising(bases: list[_Print], found: list[_Print], longest_s: float) -> list[_Print]:
+def _promising(
+    first: _Print, bases: list[_Print], found: list[_Print], longest_s: float
+) -> list[_Print]:
     """Return what is gone on with: that which gains most for its time, and what lacks least."""
     before = min(bases, key=lambda one: one.lacks)
     short = [one for one in found if one.lacks > 1 and one.takes_s < longest_s]
@@ -280,7 +285,7 @@ def _promising(bases: list[_Print], found: list[_Print], longest_s: float) -> li
     if not better:
         # Slabs may be worth it with thicker strands only.
         least = sorted(short, key=lambda one: one.lacks)[:_GONE_ON_WITH]
-        return least if before.way == _Way() else []
+        return least if before is first else []
     ordered = [max(better, key=gain), *sorted(better, key=lambda one: one.lacks)]
     return list({one.way: one for one in ordered}.values())[:_GONE_ON_WITH]
 
@@ -304,9 +309,9 @@ def _thicker_yet(base: _Print, known: dict[_Way, _Print | None]) -> Iterator[_Wa
             yield replace(way, flow=min(_rounded_up(_THICKER * way.flow), _MOST_FLOW))
 
 
-def _otherwise(base: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+def _otherwise(base: _Print, first: _Print, kept: frozenset[str]) -> Iterator[_Way]:
     """Return ways with other posts, and without supports: once strands are as thick as need be."""
-    if base.way == _Way():
+    if base is first:
         return
     wire = base.made.settings.wire
     if wire.placement != _OTHER_PLACEMENT and "wire.placement" not in kept:
@@ -367,13 +372,13 @@ def _with(
     )
 
 
-def _cheaper(best: _Print, kept: frozenset[str]) -> Iterator[_Way]:
+def _cheaper(best: _Print, first: _Print, kept: frozenset[str]) -> Iterator[_Way]:
     """Return ways of a print that suffices with no more than it takes, or in less time."""
     if best.lacks <= 1 and best.way.flow is not None and "wire.flow" not in kept:
         thicker = min(_rounded_up(_THICKER_YET * best.way.flow), _MOST_FLOW)
         yield replace(best.way, flow=thicker)
-        yield _Way(flow=thicker)
-        yield from _otherwise(best, kept)
+        yield replace(first.way, flow=thicker)
+        yield from _otherwise(best, first, kept)
     if best.lacks > _WORTH:
         return
     flow = _rounded_up(best.wanted_flow)

@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 PRIORS: Final = (0.5, 0.7, 0.05, 8.0)
 #: Steps of the finite differences, in priors.
 _STEP: Final = 0.2
-#: Steps of Gauss and Newton at most, and how small one is the last, in priors.
-_STEPS: Final = 8
+#: Steps at most, and how small one is the last, in priors.
+_STEPS: Final = 16
 _SMALL: Final = 0.03
 #: How often a step that makes the fit worse is halved: sags of soft strands are far from straight.
 _HALVED: Final = 3
@@ -72,8 +72,9 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
 
     Notes
     -----
-    Gauss and Newton's method on parameters in units of their priors' deviations, by finite
-    differences. Spreads are those of the posterior, linearised near where it ended.
+    Gauss and Newton's method on parameters in units of their priors' deviations. Slopes are finite
+    differences at the beginning and where it ends; in between each step tells them by what it came
+    to (Broyden 1965), for a model is dear. Spreads are those of the posterior, linearised there.
     """
     keys = [(sag.length_mm, sag.speed_mm_s) for sag in answers.sags]
     told = [(length, settings.print_mm_s) for length in LENGTHS_MM]
@@ -90,25 +91,29 @@ def fitted(settings: Settings, answers: Answers) -> Fitted:
     def misses(place: Array, values: Array) -> float:
         return float(place @ place + np.sum(((np.array(measured) - values[rows]) * weights) ** 2))
 
+    slopes, known = _slopes(model, place, values), True
     for _ in range(_STEPS):
-        slopes = _slopes(model, place, values)
         scaled = slopes[rows] * weights[:, None]
         off = (np.array(measured) - values[rows]) * weights + scaled @ place
         found = np.linalg.solve(unit + scaled.T @ scaled, scaled.T @ off)
         move = np.clip(found, -_FARTHEST, _FARTHEST) - place
         nearer = None
-        for halved in range(_HALVED + 1):
-            tried = place + move / 2**halved
-            foretold = model(tried)
-            if misses(tried, foretold) < misses(place, values):
-                nearer = tried, foretold
-                break
-        if nearer is None:
+        if float(np.abs(move).max()) >= _SMALL:
+            for halved in range(_HALVED + 1):
+                tried = place + move / 2**halved
+                foretold = model(tried)
+                if misses(tried, foretold) < misses(place, values):
+                    nearer = tried, foretold
+                    break
+        if nearer is not None:
+            move = nearer[0] - place
+            wrong = nearer[1] - values - slopes @ move
+            slopes = slopes + np.outer(wrong, move) / (move @ move)
+            (place, values), known = nearer, False
+        elif known:
             break
-        moved = float(np.abs(nearer[0] - place).max())
-        place, values = nearer
-        if moved < _SMALL:
-            break
+        else:
+            slopes, known = _slopes(model, place, values), True
     scaled = slopes[rows] * weights[:, None]
     spread = np.linalg.inv(unit + scaled.T @ scaled)
     deviation = np.sqrt(np.einsum("ij,jk,ik->i", slopes, spread, slopes))

@@ -56,7 +56,8 @@ if TYPE_CHECKING:
     "--grip",
     type=Amount(0.1, 1000),
     metavar="N",
-    help="Press it between two fingers, newtons: how far it gives way and what it bears.",
+    help="Press it between two fingers at half its height, newtons: how far it gives way and what "
+    "it bears.",
 )
 @click.option("--html", type=OutputName(), help="Page to draw the strands to, in colours.")
 @click.option(

@@ -67,7 +67,8 @@ if TYPE_CHECKING:
     "--grip",
     type=Amount(0.1, 1000),
     metavar="N",
-    help="Ask for a print that bears so many newtons between two fingers; with --forecast.",
+    help="Ask for a print that bears so many newtons between two fingers at half its height; with "
+    "--forecast.",
 )
 @click.option("--send", metavar="NAME", help="Host of yours to send the file to, certified.")
 @click.option("--start", is_flag=True, help="Print at once what is sent.")
