@@ -328,3 +328,40 @@ def test_a_footer_may_say_that_the_machine_is_less_than_it_is():
     found = wireprint.check("\n".join(lines).encode())
     assert not found.remarks
     assert first_line(found) > 0 if not found.ok else found.ok
+
+
+@some
+@given(printer=printers, share=st.floats(0.1, 0.8), mm=st.floats(4, 20))
+def test_filament_that_is_pulled_back_and_stays_so_is_missed_at_the_next_strand(printer, share, mm):
+    lines, strands = list(lines_of(printer)), strands_of(printer)
+    index = strands[int(share * len(strands))]
+    found = judge([*lines[:index], "M83", f"G1 E-{mm:.3f} F1800", *lines[index:]], printer)
+    assert not found.ok
+    assert found.underfed
+    assert min(run.line for run in found.underfed) > index
+    back = [*lines[:index], "M83", f"G1 E-{mm:.3f} F1800", f"G1 E{mm:.3f}", *lines[index:]]
+    assert not judge(back, printer).underfed
+
+
+def test_g10_without_g11_is_missed():
+    lines, strands = list(lines_of("kossel-mini")), strands_of("kossel-mini")
+    index = strands[len(strands) // 2]
+    found = judge([*lines[:index], "M207 S4", "G10", *lines[index:]], "kossel-mini")
+    assert not found.ok
+    assert found.underfed[0].line > index
+    both = [*lines[:index], "M207 S4", "G10", "G11", *lines[index:]]
+    assert judge(both, "kossel-mini").ok
+
+
+@some
+@given(printer=printers, share=st.floats(0.1, 0.9), mm=st.floats(12, 200))
+def test_a_blob_within_a_print_is_not_judged_and_one_before_it_purges(printer, share, mm):
+    lines, strands = list(lines_of(printer)), strands_of(printer)
+    index = strands[int(share * len(strands))]
+    blob = ["M83", f"G1 E{mm:.3f} F120"]
+    found = judge([*lines[:index], *blob, *lines[index:]], printer)
+    assert not found.ok
+    assert found.unjudged[0].line == index + 2
+    assert "in place" in found.unjudged[0].command
+    first = strands[0]
+    assert not judge([*lines[:first], *blob, *lines[first:]], printer).unjudged

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 #: Most filament that one command may move in place, mm: Klipper's default
 #: max_extrude_only_distance, and Marlin's EXTRUDE_MAXLENGTH.
 FILAMENT_ONLY_MM: Final = {"klipper": 50.0, "marlin": 200.0}
+#: Filament that slicers leave pulled back by purpose ("extra length on restart" below zero), mm;
+#: besides, a slower stroke gives back what a faster one squeezed.
+RESTART_MM: Final = 1.0
 #: Below this nothing is extruded, °C: Klipper's default min_extrude_temp, Marlin's EXTRUDE_MINTEMP.
 EXTRUDES_C: Final = 170.0
 #: Share of the time in which a strand sets that the head stays at a free end, at least. Up to half
@@ -104,6 +107,7 @@ def rules_of(settings: Settings) -> dict[str, Any]:
     printer, wire, material = settings.printer, settings.wire, settings.material
     head, extruder = printer.head, printer.extruder
     width, depth = printer.bed.size_mm
+    area = math.pi / 4 * extruder.filament_diameter_mm**2
     firmware = "klipper" if limits.firmware_of(printer) == "klipper" else "marlin"
     # A little more than the flank, so that rounding does not matter.
     block_mm = max(head.block_radius_mm, _flank_mm(head) * (1 + 1e-9))
@@ -128,7 +132,8 @@ def rules_of(settings: Settings) -> dict[str, Any]:
             "feed_mm_s": printer.motion.max_velocity,
             "flow_mm3_s": extruder.max_flow_mm3_s,
             "filament_only_mm": FILAMENT_ONLY_MM[firmware],
-            "filament_area_mm2": math.pi / 4 * extruder.filament_diameter_mm**2,
+            "pulled_back_mm": RESTART_MM + extruder.pressure_lag_s * extruder.max_flow_mm3_s / area,
+            "filament_area_mm2": area,
         },
         "settling": {"dwell_s": SETTLED * settings.solidify_s, "slow_mm_s": SLOW_MM_S},
         "coldest_c": min(EXTRUDES_C, material.nozzle_c),

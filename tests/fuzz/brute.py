@@ -39,6 +39,7 @@ class Judge:
         self.run = Machine(settings, rules).carry_out(lines)
         self.moves: list[Move] = self.run.moves
         self.strands: Strands = laid(self.moves, self.run.dwells)
+        self.out = coming_out(self.moves, rules["limits"]["pulled_back_mm"])
         self.verdict = Verdict()
 
     def judge(self) -> Verdict:
@@ -54,6 +55,7 @@ class Judge:
         for chain in self.chains():
             Walk(self, chain, held).go()
             self.feed(chain, held)
+        self.blobs()
         return self.verdict
 
     def line(self, strand: int) -> int:
@@ -141,7 +143,7 @@ class Judge:
             long = self.strands.length[strand]
             length += long
             hanging += (1 - sum(b - a for a, b in held[strand])) * long
-            filament += self.moves[self.strands.move[strand]].filament
+            filament += self.out[self.strands.move[strand]]
             top = max(top, *self.strands.ends[strand][:, 2])
             if length < self.strand_mm and strand != chain[-1]:
                 continue
@@ -152,6 +154,18 @@ class Judge:
                 self.verdict.add("underfed", self.line(first))
             running = low
             first, length, hanging, filament, top = strand + 1, 0.0, 0.0, 0.0, 0.0
+
+    def blobs(self) -> None:
+        """No blob as thick as five strands beside the print, once that is begun."""
+        thick_mm, fed_mm = 5 * self.strand_mm, 0.0
+        most_mm = math.pi / 6 * thick_mm**3 / self.rules["limits"]["filament_area_mm2"]
+        for number, move in enumerate(self.moves):
+            before_mm = fed_mm
+            fed_mm = fed_mm + max(self.out[number], 0.0) if move.start == move.end else 0.0
+            if before_mm <= most_mm < fed_mm and self.strands.move[0] < number:
+                away_mm = distances(np.array(move.end), np.array(self.strands.ends))
+                if away_mm.min() <= thick_mm:
+                    self.verdict.add("blobs", move.line)
 
     def settled(self, strand: int) -> bool:
         """Whether the head dwells at a strand's end for long enough."""
@@ -288,3 +302,13 @@ def first_within(start: Any, to: Any, point: Any, radius: float) -> float | None
         return None
     low, high = (-b - math.sqrt(root)) / a, (-b + math.sqrt(root)) / a
     return None if high < 0 or low > 1 else max(low, 0.0)
+
+
+def coming_out(moves: list[Move], slack_mm: float) -> list[float]:
+    """Filament that leaves the nozzle in each move, mm; what was pulled back must come first."""
+    out, debt = [], 0.0
+    for move in moves:
+        owed = debt if debt > slack_mm or move.start == move.end else 0.0
+        out.append(max(move.filament - owed, 0.0) if move.filament > 0 else move.filament)
+        debt = max(debt - move.filament, 0.0)
+    return out

@@ -12,7 +12,6 @@ use super::contact;
 use super::deposit::Deposit;
 use super::rules::Rules;
 use super::verdict::Underfed;
-use crate::gcode::event::Step;
 
 /// Least share of a free strand's filament where it hangs: a thread half as thick. Pulled at by the
 /// nozzle with 10 mN, melt of a plateau modulus of 0.2 MPa (ABS, 0.7 mm) to 0.6 MPa (PLA, 0.4 mm)
@@ -50,9 +49,9 @@ impl WeighedRun {
     }
 }
 
-/// Every run of pieces with too little.
+/// Every run of pieces with too little; `out` is the filament that comes out in each move.
 pub(super) fn breaches(
-    moves: &[Step],
+    out: &[f64],
     contacts: &[Vec<contact::StrandPart>],
     deposit: &Deposit,
     rules: &Rules,
@@ -69,7 +68,7 @@ pub(super) fn breaches(
             piece.length += length;
             piece.hanging += (1.0 - held) * length;
             piece.top = deposit.strands[strand].iter().map(|end| end.z).fold(piece.top, f64::max);
-            piece.filament += moves[deposit.steps[strand] as usize].filament;
+            piece.filament += out[deposit.steps[strand] as usize];
             let last = strand + 1 == first + chain.len();
             if piece.length < PIECE_DIAMETERS * rules.strand && !last {
                 continue;

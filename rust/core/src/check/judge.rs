@@ -4,7 +4,7 @@ use super::contact;
 use super::deposit::{Deposit, Dwell};
 use super::rules::Rules;
 use super::verdict::Certificate;
-use super::{bounds, collide, feed, stretch};
+use super::{bounds, collide, feed, outflow, stretch};
 use crate::gcode::event::Step;
 
 /// Judges moves by the rules; the head dwells after some of them, in their order.
@@ -14,9 +14,10 @@ use crate::gcode::event::Step;
 #[must_use]
 pub fn certify(moves: &[Step], dwells: &[Dwell], rules: &Rules) -> Certificate {
     let deposit = Deposit::of(moves, dwells, &rules.bed);
+    let out = outflow::of_all(moves, rules.limits.pulled_back);
     let hold = || {
         let contacts = contact::of_all(&deposit, rules);
-        let underfed = feed::breaches(moves, &contacts, &deposit, rules);
+        let underfed = feed::breaches(&out, &contacts, &deposit, rules);
         (stretch::hold(moves, &contacts, &deposit, rules), underfed)
     };
     let (collisions, ((held, underfed), out_of_bounds)) = rayon::join(
@@ -24,6 +25,7 @@ pub fn certify(moves: &[Step], dwells: &[Dwell], rules: &Rules) -> Certificate {
         || rayon::join(hold, || bounds::breaches(moves, rules)),
     );
     Certificate {
+        unjudged: outflow::blobs(moves, &out, &deposit, rules),
         collisions,
         floating_starts: held.floating_starts,
         dangling_ends: held.dangling_ends,

@@ -12,8 +12,8 @@
 //!    contact or where a later strand comes into contact ([`closing`]: or close behind, on itself).
 //! 3. **Bounded spans** ([`stretch`]): the stretches of a chain between contacts are limited.
 //! 4. **In bounds** ([`bounds`]): the build volume, feeds, flow and filament-only moves.
-//! 5. **Laid to hold** ([`feed`], [`settle`]): no strand gets too little filament, and no free end
-//!    is left before it has set.
+//! 5. **Laid to hold** ([`feed`], [`settle`]): no strand gets too little filament, what was pulled back and is
+//!    not forward again left out ([`outflow`]), and no free end is left before it has set.
 //! 6. **Ready** ([`nozzle`], [`reading`]): the nozzle is hot, and the axes are home.
 //!
 //! What can move the head, the bed or the frame of coordinates is carried out, or the file counts as
@@ -37,6 +37,7 @@ mod file;
 pub(crate) mod grid;
 mod judge;
 mod nozzle;
+mod outflow;
 pub(crate) mod reading;
 pub(crate) mod rules;
 mod settle;

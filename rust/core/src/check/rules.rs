@@ -37,6 +37,9 @@ pub struct Limits {
     /// Most filament moved by one command while the tip stands still, mm.
     #[serde(rename = "filament_only_mm")]
     pub filament_only: f64,
+    /// Filament that may stay pulled back and is not missed, mm.
+    #[serde(rename = "pulled_back_mm")]
+    pub pulled_back: f64,
     /// Cross-section of the filament, mm².
     #[serde(rename = "filament_area_mm2")]
     pub filament_area: f64,
