@@ -1,14 +1,22 @@
 """A budget in place of settings: what is chosen keeps within it, and nothing tried is better."""
 
+import io
 import json
+from itertools import combinations
+from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
+from hypothesis import given
+from hypothesis import settings as settings_of_hypothesis
+from hypothesis import strategies as st
+from PIL import Image, ImageDraw
 
 import wireprint
 from wireprint import cli, examples
-from wireprint.budget import Budget, BudgetError, within
+from wireprint.budget import Alternative, Budget, BudgetError, chart, within
 from wireprint.budget import search as searching
+from wireprint.budget.axis import Axis
 from wireprint.budget.search import Search
 
 
@@ -152,3 +160,58 @@ def test_less_than_any_rung_of_the_ladder_is_looked_for(sphere, settings):
     less = within(sphere, settings, Budget(time_s=0.97 * least_s))
     assert less.chosen.print_time_s <= 0.97 * least_s
     assert less.made.certificate.ok
+
+
+figures = st.floats(1e-3, 1e5)
+
+
+@given(values=st.lists(figures, min_size=1, max_size=9))
+def test_an_axis_has_few_round_ticks_about_all_values(values):
+    for axis in (Axis.of_numbers(values), Axis.of_times(values)):
+        assert axis.low <= min(values) <= max(values) <= axis.high
+        assert 2 <= len(axis.ticks) <= 7
+        texts = [f"{tick:.{axis.decimals}f}" for tick in axis.ticks]
+        assert [float(text) for text in texts] == pytest.approx(axis.ticks, rel=1e-9, abs=1e-9)
+        assert len(set(texts)) == len(texts)
+        # A good part of the room is used, down to what a tick can tell.
+        assert axis.high - axis.low < 4 * max(max(values) - min(values), 0.1 * max(values), 1)
+    times = Axis.of_times(values)
+    assert all(tick == round(tick) for tick in times.ticks)
+
+
+one_figure = st.tuples(st.floats(40, 9000), st.floats(0.01, 2), st.floats(0.01, 3))
+
+
+@given(
+    figures=st.lists(one_figure, min_size=1, max_size=7),
+    budget_s=st.none() | st.floats(40, 9000),
+    title=st.sampled_from(["a.stl", f"{'long/' * 40}a.stl", "a\nb.stl", "杯.stl", ""]),
+    data=st.data(),
+)
+@settings_of_hypothesis(max_examples=60, deadline=None)
+def test_nothing_that_is_written_in_the_picture_lies_on_anything_else(
+    figures, budget_s, title, data
+):
+    chosen = data.draw(st.integers(0, len(figures) - 1))
+    front = [
+        Alternative((), time_s, 1.0, off_mm, give_mm, 1.0, within=True, chosen=number == chosen)
+        for number, (time_s, off_mm, give_mm) in enumerate(figures)
+    ]
+    found = SimpleNamespace(front=front, chosen=front[chosen], budget=Budget(time_s=budget_s))
+    boxes = []
+    write = ImageDraw.ImageDraw.text
+
+    def noted(draw, at, text, fill, font, anchor):
+        boxes.append(draw.textbbox(at, text, font, anchor=anchor))
+        write(draw, at, text, fill, font, anchor=anchor)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(ImageDraw.ImageDraw, "text", noted)
+        picture = Image.open(io.BytesIO(chart.png(found, title)))
+    for left, top, right, bottom in boxes:
+        assert left >= 0
+        assert top >= 0
+        assert right <= picture.width
+        assert bottom <= picture.height
+    for (a, b, c, d), (e, f, g, h) in combinations(boxes, 2):
+        assert c <= e or g <= a or d <= f or h <= b

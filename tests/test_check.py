@@ -147,6 +147,17 @@ def test_each_bound_is_named(line, bound):
     assert [(breach.line, breach.bound) for breach in found.out_of_bounds] == [(4, bound)]
 
 
+@given(x=st.floats(-50, 50), y=st.floats(-50, 50), turn=st.floats(0, 7), mm=st.floats(0.005, 1))
+def test_the_flow_of_a_short_strand_is_told_as_exactly_as_its_words(x, y, turn, mm):
+    there = x + mm * math.cos(turn), y + mm * math.sin(turn)
+    feed_mm_min = 60 * 14.9 / (math.pi * 0.35**2)
+    for factor, breaches in ((0.995, 0), (1.5 if mm > 0.02 else 2.5, 1)):
+        fed_mm = factor * mm * (0.35 / 0.875) ** 2
+        lines = ["G28", "M83", f"G1 X{x:.3f} Y{y:.3f} Z{FIRST} F600"]
+        lines += [f"G1 X{there[0]:.3f} Y{there[1]:.3f} E{fed_mm:.5f} F{feed_mm_min:.0f}"]
+        assert len(judge(lines).out_of_bounds) == breaches
+
+
 def test_klipper_allows_less_filament_in_place():
     text = b"G28\nM83\nG1 Z0.3\nG1 X9 E1 F600\nG1 E-60 F600"
     lenient, strict = Settings.load(), Settings.load(overrides=['gcode.flavor="klipper"'])

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from wireprint import cli, examples
+import wireprint
+from wireprint import budget, cli, examples, regions, struts
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -65,6 +66,13 @@ def test_links_lead_somewhere(name):
     text = (ROOT / name).read_text(encoding="utf-8")
     for target in re.findall(r"\]\((?!https?:)([^)#]+)", text):
         assert (ROOT / target).exists(), target
+
+
+def test_every_public_name_is_on_the_page_of_the_library():
+    page = (ROOT / "docs/api.md").read_text(encoding="utf-8")
+    offered = {*wireprint.__all__, *regions.__all__, *budget.__all__, *struts.__all__}
+    offered -= {"__version__", "READ", "WRITTEN"}
+    assert not {name for name in offered if not re.search(rf"\b{name}\b", page)}
 
 
 def test_every_module_of_the_core_is_in_the_module_graph():

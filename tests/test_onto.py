@@ -7,6 +7,7 @@ import pytest
 import trimesh
 from click.testing import CliRunner
 
+import random_solids
 import wireprint
 from wireprint import cli, standing
 from wireprint.obstacles import as_gcode
@@ -190,3 +191,17 @@ def test_a_start_over_what_stands_neither_probes_nor_homes_into_it(body):
     lost = standing.Standing((("a.gcode", off),), settings=settings)
     with pytest.raises(wireprint.UnprintableError, match=r"homes z at \(128, 128\)"):
         wireprint.make(body, settings, standing=lost, at_mm=(0.0, 0.0, before.top_mm))
+
+
+@pytest.mark.parametrize("share", [0.3, 0.7])
+def test_what_was_planned_anew_is_continued_as_it_was(share):
+    """A pipe that lies on the bed: slabs that are made lower about what would be bare."""
+    vertices, faces = random_solids.solid(995025).mesh()
+    pipe = wireprint.as_mesh((vertices, faces))
+    whole = wireprint.make(pipe, SETTINGS)
+    assert whole.settings.wire.low_slabs_mm
+    before = stopped(whole, z_mm=share * pipe.size_mm[2])
+    rest = wireprint.make(pipe, SETTINGS, standing=before)
+    assert rest.certificate.ok
+    assert rest.settings.wire.low_slabs_mm == whole.settings.wire.low_slabs_mm
+    assert count(before.text) + rest.wireframe.strand_count <= count(whole.gcode) + 2

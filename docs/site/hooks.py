@@ -70,6 +70,6 @@ def command() -> str:
     with click.Context(main, info_name="wireprint") as above:
         for name in COMMANDS:
             one = main.get_command(above, name)
-            with click.Context(one, info_name=name, parent=above, terminal_width=96) as context:
+            with click.Context(one, info_name=name, parent=above, terminal_width=76) as context:
                 parts.append(f"## wireprint {name}\n\n```text\n{one.get_help(context)}\n```\n")
     return "\n".join(parts)

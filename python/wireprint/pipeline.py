@@ -129,7 +129,7 @@ def make(
         settings = kept.settings
     with clock.stage("wireframe"):
         if standing is not None:
-            planned = _onto(body, settings, standing, at_mm)
+            settings, planned = _onto(body, settings, standing, at_mm, clock)
         else:
             planned = wireframe(body, settings) if kept is None else kept.plain
     moved = None
@@ -187,24 +187,37 @@ def _as_it_is(settings: Settings) -> Settings:
     return settings.but(overrides=["wire.coverage_goal=0", "wire.braced_goal=0"])
 
 
-def _onto(mesh: Mesh, settings: Settings, standing: Standing, at_mm: Point) -> Wireframe:
-    """Return what is left to print of a model, part of which may stand already.
+def _onto(
+    mesh: Mesh, settings: Settings, standing: Standing, at_mm: Point, clock: Clock
+) -> tuple[Settings, Wireframe]:
+    """Return what is left to print of a model, part of which may stand already, and its settings.
 
     Where some of it does, it is planned as if nothing stood, for what stands is its own; else clear
-    of what stands.
+    of what stands. What stands may have been planned anew, with lower slabs: it is held against
+    both plans.
 
     Raises
     ------
     UnprintableError
         Nothing is left.
     """
+    origin = origin_mm(settings, at_mm)
     plain = wireframe(mesh, settings)
-    done = standing.printed_of(plain, origin_mm(settings, at_mm))
-    if not done:
-        return wireframe(mesh, settings, None, standing, at_mm)
-    if len(done) == plain.strand_count:
+    plans = [(settings, plain)]
+    if standing.is_within(mesh.size_mm, origin):
+        from wireprint.replanning import replanned
+
+        other = replanned(mesh, settings, plain, None, clock.step)
+        # Of equals the one that is printed today.
+        plans = plans if other is None else [other, *plans]
+    done = [standing.printed_of(plan, origin) for _, plan in plans]
+    best = max(range(len(plans)), key=lambda number: len(done[number]))
+    if not done[best]:
+        return settings, wireframe(mesh, settings, None, standing, at_mm)
+    own, plan = plans[best]
+    if len(done[best]) == plan.strand_count:
         raise UnprintableError("all of it stands already: there is nothing left to print")
-    return plain.beyond(done)
+    return own, plan.beyond(done[best])
 
 
 def write_gcode(

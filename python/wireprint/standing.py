@@ -107,6 +107,28 @@ class Standing:
             line -= count
         return None, line
 
+    def is_within(self, size_mm: Sequence[float], origin_mm: Point) -> bool:
+        """Tell whether something stands where a model will.
+
+        Parameters
+        ----------
+        size_mm
+            The model's size along x, y and z.
+        origin_mm
+            Where the middle of its foot lies in the machine's coordinates, (3,).
+
+        Returns
+        -------
+        bool
+            Whether a strand ends within its box.
+        """
+        import numpy as np
+
+        half = np.array([size_mm[0] / 2, size_mm[1] / 2])
+        own = self.about(origin_mm).reshape(-1, 3)
+        inside = (np.abs(own[:, :2]) <= half).all(axis=1) & (own[:, 2] <= size_mm[2])
+        return bool((inside & (own[:, 2] >= 0)).any())
+
     def printed_of(self, frame: Wireframe, origin_mm: Point) -> list[int]:
         """Return the numbers of a print's strands that stand already, ascending.
 

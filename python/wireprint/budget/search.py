@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 #: Rungs of the ladder of slab heights, from the lowest slab to what the cone allows.
 RUNGS: Final = 7
 #: Prints that are tried at most.
-MOST_TRIED: Final = 48
+MOST_TRIED: Final = 64
 #: Floating-point operations that finding how far one print gives way may take: a second or so.
 MOST_WORK: Final = 3e9
 #: Of all posts this share gives way by no more than what is told: a single one tells of chance.
@@ -84,25 +84,35 @@ class Search:
         self.tried: dict[tuple[Any, ...], Tried | WireprintError] = {}
 
     def best_of_all(self) -> Tried:
-        """Climb the ladder, then walk downhill; return where no neighbour is better."""
+        """Climb the ladder, then walk downhill in each pattern, where no neighbour is better."""
         self._try(self._ladder())
-        self._approach()
+        patterns = list(dict.fromkeys(one.settings.wire.pattern for one in self._timed()))
+        for pattern in patterns:
+            self._approach(pattern)
         self._judge_the_next()
+        # The best first: there may be prints left to try for one alone.
+        patterns.sort(key=lambda pattern: self._rank(self._best(pattern)))
+        for pattern in patterns:
+            self._walk(pattern)
         best = self._best()
+        if best is None:
+            raise self._refusal()
+        return best
+
+    def _walk(self, pattern: Pattern) -> None:
+        """Try the neighbours of a pattern's best print, as long as one of them is better."""
+        best = self._best(pattern)
         while best is not None:
             self._try(self._neighbours(best.knobs))
-            better = self._best()
-            if better is best:
-                return best
-            best = better
-        raise self._refusal()
+            better = self._best(pattern)
+            best = None if better is best else better
 
-    def _approach(self) -> None:
-        """Walk towards the least there is where nothing yet keeps within the budget."""
-        while self._best() is None and self._timed():
-            least = min(self._timed(), key=self._excess)
+    def _approach(self, pattern: Pattern) -> None:
+        """Walk towards a pattern's least where nothing of it yet keeps within the budget."""
+        while self._best(pattern) is None:
+            least = min(self._timed(pattern), key=self._excess)
             self._try(self._neighbours(least.knobs))
-            if min(self._timed(), key=self._excess) is least:
+            if min(self._timed(pattern), key=self._excess) is least:
                 return
 
     @property
@@ -195,8 +205,9 @@ class Search:
             return error
         return _judged(knobs, settings, made)
 
-    def _timed(self) -> list[Tried]:
-        return [one for one in self.tried.values() if isinstance(one, Tried)]
+    def _timed(self, pattern: Pattern | None = None) -> list[Tried]:
+        timed = (one for one in self.tried.values() if isinstance(one, Tried))
+        return [one for one in timed if pattern in (None, one.settings.wire.pattern)]
 
     def _good(self) -> list[Tried]:
         return [one for one in self._timed() if one.good]
@@ -205,13 +216,16 @@ class Search:
         grown_mm = one.grown_mm if self.give_by == "growth" else None
         return one.single_mm if grown_mm is None else grown_mm
 
-    def _best(self) -> Tried | None:
+    def _best(self, pattern: Pattern | None = None) -> Tried | None:
+        good = (one for one in self._timed(pattern) if one.good and self._allows(one))
+        return min(good, key=self._rank, default=None)
+
+    def _rank(self, one: Tried | None) -> tuple[float, float]:
+        """Return what tells the better of two: the less."""
+        if one is None:
+            return math.inf, math.inf
         least_mm = _EXACT * self.settings.strand_mm
-
-        def cost(one: Tried) -> tuple[float, float]:
-            return max(one.deviation_mm, least_mm) * self._give_mm(one), one.print_time_s
-
-        return min((one for one in self._good() if self._allows(one)), key=cost, default=None)
+        return max(one.deviation_mm, least_mm) * self._give_mm(one), one.print_time_s
 
     def _allows(self, one: Tried) -> bool:
         return self._excess(one) <= 1.0

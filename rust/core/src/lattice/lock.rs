@@ -7,8 +7,12 @@
 //! into the others. That proves that they cannot all be printed, with this head and in these
 //! forms; what is held, and what hangs, is not asked here.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use super::bars::Bars;
 use super::effort::SearchEffort;
+use super::reroute::Rerouting;
 use super::{Lattice, Stroke};
 
 /// What does not stand yet, taken apart from the end.
@@ -71,37 +75,49 @@ impl<'a> Rest<'a> {
     pub fn too_many(&self, effort: &mut SearchEffort<'_>) -> Vec<u32> {
         let mut rest = self.clone();
         let mut gone = Vec::new();
-        loop {
-            let locked = rest.locked();
-            let bars = |&strut: &u32| {
-                let of_left = |&&stroke: &&Stroke| !rest.taken[self.lattice.strut(stroke) as usize];
-                let count = self.bars.of_strut(strut).iter().filter(of_left).count();
-                (count, std::cmp::Reverse(strut))
-            };
-            effort.spend(locked.iter().map(|&strut| self.bars.of_strut(strut).len()).sum());
-            let Some(worst) = locked.into_iter().max_by_key(bars) else { break };
+        let mut worst: BinaryHeap<_> =
+            rest.locked().into_iter().map(|strut| rest.barring_most(strut, effort)).collect();
+        while let Some((count, Reverse(strut))) = worst.pop() {
             if effort.is_stopped() {
                 break;
             }
-            gone.push(worst);
-            rest.take(worst, None);
+            if rest.taken[strut as usize] {
+                continue;
+            }
+            // What was taken since bars less, so that whoever is still the worst is it.
+            let now = rest.barring_most(strut, effort);
+            if now.0 < count {
+                worst.push(now);
+                continue;
+            }
+            gone.push(strut);
+            rest.take(strut, None);
             rest.take_apart();
         }
+        let mut rerouting = Rerouting::new(self.lattice);
         for strut in gone.clone() {
-            effort.spend(self.bars.size());
             if effort.is_over() {
                 break;
             }
-            let others: Vec<u32> = gone.iter().copied().filter(|&other| other != strut).collect();
-            let mut rest = self.clone();
-            others.iter().for_each(|&other| rest.take(other, None));
-            rest.take_apart();
-            if rest.locked().is_empty() {
-                gone = others;
+            let (is_open, counts) = (|stroke: Stroke| self.open[stroke.index()], |_| true);
+            let last = &rest.last;
+            let found =
+                rerouting.run(self.lattice, self.bars, last, [strut], is_open, counts, effort);
+            if let Ok(found) = found {
+                gone.retain(|&other| other != strut);
+                found.into_iter().for_each(|(strut, way)| rest.last[strut as usize] = Some(way));
             }
         }
         gone.sort_unstable();
         gone
+    }
+
+    /// How many strokes of struts that are left a strut bars, as a key: of equals the first is the greatest.
+    fn barring_most(&self, strut: u32, effort: &mut SearchEffort<'_>) -> (usize, Reverse<u32>) {
+        let barred = self.bars.of_strut(strut);
+        effort.spend(barred.len());
+        let of_left = |&&stroke: &&Stroke| !self.taken[self.lattice.strut(stroke) as usize];
+        (barred.iter().filter(of_left).count(), Reverse(strut))
     }
 
     fn is_free(&self, stroke: Stroke) -> bool {

@@ -9,6 +9,7 @@ mod bars;
 mod effort;
 mod lock;
 mod rank;
+mod reroute;
 mod search;
 mod state;
 
@@ -29,6 +30,8 @@ pub struct Lattice {
     forms: Vec<Form>,
     /// The first form of each strut, and behind the last.
     first: Vec<u32>,
+    /// By node: the struts that end there.
+    at: Vec<Vec<u32>>,
 }
 
 /// A form of a strut: straight from its first node to its second, or by way of knees.
@@ -71,7 +74,11 @@ impl Lattice {
         if forms.iter().any(|form| !form.knees.iter().all(|knee| knee.is_finite())) {
             return refused("a knee's coordinates must be finite".into());
         }
-        Ok(Self { nodes, edges, forms, first })
+        let mut at = vec![Vec::new(); nodes.len()];
+        for (strut, edge) in (0..count).zip(&edges) {
+            edge.iter().for_each(|&node| at[node as usize].push(strut));
+        }
+        Ok(Self { nodes, edges, forms, first, at })
     }
 
     /// Number of struts.

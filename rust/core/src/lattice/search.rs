@@ -16,8 +16,9 @@ use crate::head::Head;
 
 /// Rounds at most.
 const ROUNDS: usize = 24;
-/// Struts that a round takes back at most, for each of the lattice.
-const BACK: usize = 1;
+/// Struts that a round takes back at most: as many as there are, of a large lattice no more than these. Where
+/// they do not help, the next round begins elsewhere.
+const MOST_BACK: usize = 500;
 
 /// Finds an order in which every strut can be printed, or as many as can be found; none where it is
 /// proven beforehand that some cannot. Of those that are locked, all are named or, where a part of the
@@ -91,7 +92,7 @@ impl Round {
         let mut state = State::new(lattice, rules, bars);
         state.lost(effort);
         let mut best = Self::default();
-        let mut back = BACK * lattice.len();
+        let mut back = MOST_BACK.min(lattice.len());
         let mut open = vec![rank.choices(lattice, rules, &state).into_iter()];
         while !state.is_whole() && !effort.is_over() {
             let Some(choices) = open.last_mut() else { break };

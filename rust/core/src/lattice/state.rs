@@ -3,6 +3,7 @@
 use super::bars::Bars;
 use super::effort::SearchEffort;
 use super::lock::Rest;
+use super::reroute::Rerouting;
 use super::{Laid, Lattice, Rules, Stroke};
 
 /// Struts that stand, and what follows from them.
@@ -32,6 +33,7 @@ pub struct State<'a> {
     refused: Vec<Vec<u32>>,
     /// By number of struts that stood: the strokes that were refused then.
     refused_at: Vec<Vec<Stroke>>,
+    rerouting: Rerouting,
 }
 
 /// How the rest can be printed, as it was found last.
@@ -51,11 +53,15 @@ impl Ways {
     fn set(&mut self, strut: u32, [last, begun]: [Option<Stroke>; 2]) {
         (self.last[strut as usize], self.begun[strut as usize]) = (last, begun);
     }
+}
 
-    /// Whether a stroke is the way of its strut.
-    fn has(&self, strut: u32, stroke: Stroke) -> bool {
-        self.of(strut).contains(&Some(stroke))
-    }
+/// Whose ways a stroke bars.
+#[derive(Default)]
+struct BarredWays {
+    /// Struts that had theirs past the head by what is barred now.
+    last: Vec<u32>,
+    /// Whether some are begun by what is barred now.
+    is_begun: bool,
 }
 
 impl<'a> State<'a> {
@@ -79,6 +85,7 @@ impl<'a> State<'a> {
             ways: Ways { last: vec![None; lattice.len()], begun: vec![None; lattice.len()] },
             refused: vec![Vec::new(); 2 * lattice.forms.len()],
             refused_at: vec![Vec::new()],
+            rerouting: Rerouting::new(lattice),
         }
     }
 
@@ -129,27 +136,27 @@ impl<'a> State<'a> {
     fn begun(&self) -> (Vec<u32>, Vec<Option<Stroke>>) {
         let mut ways = vec![None; self.lattice.len()];
         let nodes = 0..self.lattice.nodes.len() as u32;
-        let mut held: Vec<bool> = nodes.map(|node| self.is_held(node)).collect();
-        let mut todo: Vec<u32> =
-            (0..self.lattice.len() as u32).filter(|&strut| !self.printed[strut as usize]).collect();
-        loop {
-            let before = todo.len();
-            todo.retain(|&strut| {
-                let mut strokes = self.lattice.strokes_of(strut);
-                let begun = strokes.find(|&stroke| {
-                    let [from, _] = self.lattice.ends(stroke);
-                    held[from as usize] && self.is_open(stroke)
-                });
-                for node in self.lattice.edges[strut as usize] {
-                    held[node as usize] |= begun.is_some();
+        let mut held: Vec<bool> = nodes.clone().map(|node| self.is_held(node)).collect();
+        let mut todo: Vec<u32> = nodes.filter(|&node| held[node as usize]).collect();
+        while let Some(node) = todo.pop() {
+            for &strut in &self.lattice.at[node as usize] {
+                if self.printed[strut as usize] || ways[strut as usize].is_some() {
+                    continue;
                 }
-                ways[strut as usize] = begun;
-                begun.is_none()
-            });
-            if todo.is_empty() || todo.len() == before {
-                return (todo, ways);
+                let mut strokes = self.lattice.strokes_of(strut);
+                let begins =
+                    |&stroke: &Stroke| self.lattice.ends(stroke)[0] == node && self.is_open(stroke);
+                ways[strut as usize] = strokes.find(begins);
+                if ways[strut as usize].is_some() {
+                    let ends = self.lattice.edges[strut as usize];
+                    todo.extend(ends.iter().filter(|&&end| !held[end as usize]));
+                    ends.iter().for_each(|&end| held[end as usize] = true);
+                }
             }
         }
+        let all = 0..self.lattice.len() as u32;
+        let open = all.filter(|&strut| !self.printed[strut as usize]);
+        (open.filter(|&strut| ways[strut as usize].is_none()).collect(), ways)
     }
 
     /// Struts that do not stand and cannot all be printed any more, past the head and from what is held; where
@@ -168,6 +175,33 @@ impl<'a> State<'a> {
         stranded
     }
 
+    /// The same, where all had a way before the last stroke was printed, and `barred` lost theirs with it.
+    fn lost_now(&mut self, barred: &BarredWays, effort: &mut SearchEffort<'_>) -> Vec<u32> {
+        let last = std::mem::take(&mut self.ways.last);
+        let mut rerouting = std::mem::take(&mut self.rerouting);
+        let (is_open, counts) =
+            (|stroke| self.is_open(stroke), |strut: u32| !self.printed[strut as usize]);
+        let lost = barred.last.iter().copied();
+        let found = rerouting.run(self.lattice, self.bars, &last, lost, is_open, counts, effort);
+        (self.ways.last, self.rerouting) = (last, rerouting);
+        let found = match found {
+            Ok(found) => found,
+            Err(locked) => return locked,
+        };
+        if barred.is_begun {
+            effort.spend(2 * self.lattice.forms.len());
+            let (stranded, begun) = self.begun();
+            if !stranded.is_empty() {
+                return stranded;
+            }
+            self.ways.begun = begun;
+        }
+        for (strut, way) in found {
+            self.ways.last[strut as usize] = Some(way);
+        }
+        Vec::new()
+    }
+
     /// Prints a stroke, unless some others could then never be printed all.
     ///
     /// Ways that were found before do as long as the stroke bars none of them: what it would have barred
@@ -181,13 +215,19 @@ impl<'a> State<'a> {
         if !refused.is_empty() && !refused.iter().any(|&strut| self.printed[strut as usize]) {
             return false;
         }
-        let bars_a_way = barred.iter().any(|&barred| {
+        let mut barred_ways = BarredWays::default();
+        for &barred in barred {
             let other = self.lattice.strut(barred);
-            other != own && !self.printed[other as usize] && self.ways.has(other, barred)
-        });
+            if other == own || self.printed[other as usize] {
+                continue;
+            }
+            let [last, begun] = self.ways.of(other).map(|way| way == Some(barred));
+            barred_ways.last.extend(last.then_some(other));
+            barred_ways.is_begun |= begun;
+        }
         let way = self.ways.of(own);
         self.print(laid);
-        let lost = if bars_a_way { self.lost(effort) } else { Vec::new() };
+        let lost = self.lost_now(&barred_ways, effort);
         let prints = lost.is_empty();
         if !prints {
             self.take_back();

@@ -2,6 +2,10 @@ use std::ops::ControlFlow;
 
 use glam::dvec3;
 
+use super::bars::Bars;
+use super::effort::SearchEffort;
+use super::lock::Rest;
+use super::state::State;
 use super::*;
 
 fn head() -> Head {
@@ -201,4 +205,138 @@ fn struts_that_go_on_from_a_free_end_hang_with_it() {
     let found = order(&table, &head(), &rules());
     assert!(found.left.is_empty(), "{found:?}");
     keeps_the_rules(&table, &found, &head(), &rules());
+}
+
+/// Whether all that is not printed can still be, past the head and from what is held: asked from the beginning.
+fn rest_can_be_printed(lattice: &Lattice, rules: &Rules, bars: &Bars, laid: &[Laid]) -> bool {
+    let mut printed = vec![false; lattice.len()];
+    let mut barred = vec![false; 2 * lattice.forms.len()];
+    for one in laid {
+        printed[lattice.strut(one.stroke) as usize] = true;
+        bars.of_form(one.stroke.form).iter().for_each(|stroke| barred[stroke.index()] = true);
+    }
+    let all = 0..lattice.len() as u32;
+    let rest: Vec<u32> = all.filter(|&strut| !printed[strut as usize]).collect();
+    let mut barring = vec![0; barred.len()];
+    for stroke in rest.iter().flat_map(|&strut| bars.of_strut(strut)) {
+        barring[stroke.index()] += 1;
+    }
+    let open = |stroke: Stroke| bars.is_drawn(stroke) && !barred[stroke.index()];
+    if !Rest::of(lattice, bars, &printed, &barring, open).locked().is_empty() {
+        return false;
+    }
+    let mut held: Vec<bool> = lattice.nodes.iter().map(|node| node.z <= rules.bed).collect();
+    for node in laid.iter().flat_map(|one| lattice.ends(one.stroke)) {
+        held[node as usize] = true;
+    }
+    let begins = |stroke: Stroke, held: &[bool]| {
+        let [from, _] = lattice.ends(stroke);
+        open(stroke) && held[from as usize]
+    };
+    // As often as there are struts is often enough.
+    for _ in &rest {
+        for &strut in &rest {
+            if lattice.strokes_of(strut).any(|stroke| begins(stroke, &held)) {
+                lattice.edges[strut as usize].iter().for_each(|&node| held[node as usize] = true);
+            }
+        }
+    }
+    rest.iter().all(|&strut| lattice.strokes_of(strut).any(|stroke| begins(stroke, &held)))
+}
+
+/// Numbers from 0 to below `most`, the same for each seed (Knuth's linear congruences).
+fn chance(seed: u64) -> impl FnMut(usize) -> usize {
+    let mut state = seed;
+    move |most| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % most
+    }
+}
+
+/// Struts between neighbours of a crooked grid, some with knees; few of its nodes are on the bed.
+fn crooked(seed: u64) -> Lattice {
+    let mut draw = chance(seed);
+    let mut nodes = Vec::new();
+    for place in 0..36 {
+        let [x, y, z] = [place % 4, place / 4 % 3, place / 12].map(f64::from);
+        let off = [draw(40), draw(40), draw(30)].map(|by| by as f64 / 10.0);
+        nodes.push(dvec3(
+            9. * x + off[0],
+            9. * y + off[1],
+            if z > 0. { 7. * z + off[2] } else { 0. },
+        ));
+    }
+    let mut edges = Vec::new();
+    for a in 0..36_u32 {
+        for b in a + 1..36 {
+            let near = nodes[a as usize].distance(nodes[b as usize]) < 15.0;
+            if near && draw(3) > 0 {
+                edges.push([a, b]);
+            }
+        }
+    }
+    let mut forms = Vec::new();
+    for (strut, edge) in (0..).zip(&edges) {
+        let [a, b] = edge.map(|node| nodes[node as usize]);
+        forms.push(Form { strut, knees: [a, b] });
+        if draw(2) > 0 && a.truncate() != b.truncate() {
+            let level = (b - a).truncate().normalize().extend(0.0);
+            forms.push(Form { strut, knees: [a + 1.2 * level, b] });
+        }
+    }
+    Lattice::new(nodes, edges, forms).unwrap()
+}
+
+#[test]
+fn what_would_be_lost_is_told_as_if_it_were_asked_from_the_beginning() {
+    let (head, rules) = (Head::new(0.5, 75.0, 40.0, 20.0, 60.0, 60.0).unwrap(), rules());
+    let (mut tried, mut refused) = (0, 0);
+    for seed in 0..12 {
+        let whole = crooked(seed);
+        let bars = Bars::of(&whole, &head, &rules);
+        let watch = &mut |_| ControlFlow::Continue(());
+        let effort = &mut SearchEffort::new(u64::MAX, watch);
+        // Without what no order has: something can be printed at first.
+        let mut gone = State::new(&whole, &rules, &bars).rest().too_many(effort);
+        let kept = |gone: &[u32]| {
+            let stays = |strut: &u32| !gone.contains(strut);
+            let edges = (0..).zip(&whole.edges).filter(|(strut, _)| stays(strut));
+            let forms: Vec<Form> =
+                whole.forms.iter().filter(|form| stays(&form.strut)).copied().collect();
+            let struts: Vec<u32> = edges.clone().map(|(strut, _)| strut).collect();
+            let place = |form: Form| struts.binary_search(&form.strut).unwrap() as u32;
+            let forms = forms.into_iter().map(|form| Form { strut: place(form), ..form });
+            let edges = edges.map(|(_, &edge)| edge).collect();
+            (Lattice::new(whole.nodes.clone(), edges, forms.collect()).unwrap(), struts)
+        };
+        let lattice = loop {
+            let (lattice, struts) = kept(&gone);
+            let bars = Bars::of(&lattice, &head, &rules);
+            let lost = State::new(&lattice, &rules, &bars).lost(effort);
+            if lost.is_empty() {
+                break lattice;
+            }
+            gone.extend(lost.into_iter().map(|strut| struts[strut as usize]));
+        };
+        let bars = Bars::of(&lattice, &head, &rules);
+        let mut state = State::new(&lattice, &rules, &bars);
+        assert!(state.lost(effort).is_empty());
+        let mut draw = chance(seed + 99);
+        for _ in 0..4 * lattice.len() {
+            let open = (0..lattice.len() as u32).filter(|&strut| !state.printed[strut as usize]);
+            let reached = open.flat_map(|strut| lattice.strokes_of(strut));
+            let choices: Vec<Laid> = reached.filter_map(|stroke| state.reached(stroke)).collect();
+            if choices.is_empty() || draw(6) == 0 {
+                state.take_back();
+                continue;
+            }
+            let laid = choices[draw(choices.len())];
+            let after = [state.laid.as_slice(), &[laid]].concat();
+            let can = rest_can_be_printed(&lattice, &rules, &bars, &after);
+            assert_eq!(state.try_print(laid, effort), can, "seed {seed}, {after:?}");
+            (tried, refused) = (tried + 1, refused + usize::from(!can));
+        }
+    }
+    assert!(refused > tried / 50 && refused < tried, "{refused} of {tried}");
 }
