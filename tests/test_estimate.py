@@ -134,6 +134,17 @@ def test_a_file_of_ours_is_timed_on_the_machine_that_it_was_made_for(tmp_path):
     assert estimate_files([path, other, path], Choice()) == [expected, estimate(PRINT), expected]
 
 
+def test_settings_name_printer_and_material():
+    text = b"G1 X100 Y90 E40 F6000\nG1 X0"
+    chosen = Settings.load("printrbot-simple", "petg")
+    found = estimate(text, printer=chosen)
+    assert found == estimate(text, printer="printrbot-simple", material="petg")
+    assert found.total_s != estimate(text, printer="prusa-mk4s").total_s
+    assert found.filament_g != estimate(text, printer="printrbot-simple", material="abs").filament_g
+    with pytest.raises(SettingError, match="settings and material exclude each other"):
+        estimate(text, printer=chosen, material="pla")
+
+
 def test_limits_come_from_a_table_of_a_file(tmp_path):
     path = tmp_path / "machines.toml"
     lines = [f"{key} = {value!r}" for key, value in MACHINE.items()]

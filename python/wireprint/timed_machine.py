@@ -37,7 +37,8 @@ class Choice:
     """What is known of the machine; what is None follows from the file, as for `estimate`."""
 
     limits: Mapping[str, Any] | str | None = None
-    printer: str | None = None
+    #: Name or path of a profile, or settings, which name the material, too.
+    printer: str | Settings | None = None
     material: str | None = None
     firmware: Firmware | None = None
 
@@ -55,7 +56,9 @@ class Choice:
         """
         if self.limits is not None and self.printer is not None:
             raise SettingError("limits and printer exclude each other")
-        if self.material is not None and self._limits is not None:
+        if self._is_whole and self.material is not None:
+            raise SettingError("settings and material exclude each other")
+        if (self._is_whole or self.material is not None) and self._limits is not None:
             return self._named
         from wireprint.gcode.origin import known_printer
         from wireprint.gcode.own_settings import settings_in
@@ -75,6 +78,11 @@ class Choice:
         known = known_printer(text)
         return self._default if known is None else self._foreign(*known)
 
+    @property
+    def _is_whole(self) -> bool:
+        """Whether settings are given."""
+        return not isinstance(self.printer, str | None)
+
     @cached_property
     def _limits(self) -> MotionTable | None:
         """Limits that do not depend on the file."""
@@ -89,9 +97,11 @@ class Choice:
         """Settings of a file that states none."""
         return self._loaded(self.printer)
 
-    def _loaded(self, printer: str | None) -> Settings:
+    def _loaded(self, printer: str | Settings | None) -> Settings:
         from wireprint.settings import Settings
 
+        if isinstance(printer, Settings):
+            return printer
         given: dict[str, Any] = {"printer": printer, "material": self.material}
         return Settings.load(**{name: value for name, value in given.items() if value is not None})
 
@@ -110,7 +120,8 @@ class Choice:
     def _machine(self, settings: Settings, why: str) -> Machine:
         """Return the machine of a file's settings, as far as nothing else was chosen."""
         printer = settings.printer if self.printer is None else self._known.printer
-        material = settings.material if self.material is None else self._known.material
+        own = self.material is None and not self._is_whole
+        material = settings.material if own else self._known.material
         its_own = "klipper" if self.limits is not None else motion_limits.firmware_of(printer)
         filament = Filament(
             printer.extruder.filament_diameter_mm, material.density_g_cm3, material.price_per_kg

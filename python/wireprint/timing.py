@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from wireprint.limits import Firmware
+    from wireprint.settings import Settings
 
 
 #: More than the settings at a file's end take, and what other programs say at its beginning.
@@ -161,7 +162,7 @@ def estimate(
     source: str | os.PathLike[str] | bytes,
     limits: Mapping[str, Any] | str | None = None,
     *,
-    printer: str | None = None,
+    printer: str | Settings | None = None,
     material: str | None = None,
     firmware: Firmware | None = None,
     allowances: Allowances = Allowances(),
@@ -177,8 +178,9 @@ def estimate(
         The machine's limits (mm, mm/s, mm/s²): a mapping with the keys of ``[motion]`` in a
         printer's profile and ``kinematics``, or ``FILE.toml#TABLE``.
     printer
-        In place of `limits`: name of a profile, or path of one. Default: the printer that the file
-        says it is for, if that is known, else kossel-mini.
+        In place of `limits`: name of a profile, or path of one, or settings, which name the
+        material, too. Default: the printer that the file says it is for, if that is known, else
+        kossel-mini.
     material
         Profile whose density and price apply to the filament. Default: likewise, else abs.
     firmware

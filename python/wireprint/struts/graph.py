@@ -43,6 +43,17 @@ class Graph(Record):
     #: Where the tool points from, at each strut, unit vectors (M, 3); empty: not told.
     normals: Floats = field(default_factory=lambda: np.empty((0, 3)))
 
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            nodes: npt.ArrayLike,
+            edges: npt.ArrayLike,
+            radius_mm: npt.ArrayLike = ...,
+            time_s: npt.ArrayLike = ...,
+            normals: npt.ArrayLike = ...,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         """Take over arrays of any real and whole type, and refuse what is no graph."""
         own = {
