@@ -8,6 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from wireprint._core import MemoryLimitError, ModelError, SettingError, UnprintableError
+from wireprint.duration import duration
 from wireprint.filament import Filament
 from wireprint.gcode import document
 
@@ -38,7 +39,7 @@ class Condition:
     compute_s: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Comparison:
     """A model printed in several ways."""
 
@@ -46,6 +47,12 @@ class Comparison:
     conditions: tuple[Condition, ...]
     #: Why the other ones failed, by name.
     failures: dict[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        """Say how long each takes."""
+        told = ", ".join(f"{one.condition} {duration(one.print_time_s)}" for one in self.conditions)
+        failed = f"; failed: {', '.join(self.failures)}" if self.failures else ""
+        return f"<Comparison {told}{failed}>"
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything as values that JSON knows.

@@ -7,7 +7,7 @@ A model throughout, no part of the certificate, and never more than it says of i
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final, Literal
 
@@ -103,7 +103,7 @@ class Rule:
         }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Forecast:
     """What a file would do, by a model; arrays have an entry for each strand, NaN without one."""
 
@@ -118,7 +118,12 @@ class Forecast:
     #: Why it was not judged, where that was asked for.
     ungripped: str
     #: The core's forecast, with all arrays.
-    core: _core.Forecast = field(repr=False)
+    core: _core.Forecast
+
+    def __repr__(self) -> str:
+        """Say what the rules come to."""
+        told = ", ".join(f"{name} {rule.verdict}" for name, rule in self.rules.items())
+        return f"<Forecast {self.judge.settings.printer.name}: {told}; {self.trust}>"
 
     @property
     def calibrated(self) -> bool:

@@ -69,7 +69,7 @@ class Pose:
         return [f"{called} {told(getattr(self, name))}" for name, called, told in _FIGURES]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Orientation:
     """The pose that was chosen, and what it was chosen from."""
 
@@ -96,6 +96,10 @@ class Orientation:
         name, called, told = _difference(chosen, given, self.mesh.area) or _FIGURES[-1]
         before, after = (told(getattr(pose, name)) for pose in (given, chosen))
         return f"{called} {after} instead of {before}; best of {judged} poses"
+
+    def __repr__(self) -> str:
+        """Say what was chosen and why."""
+        return f"<Orientation {self}>"
 
     def __str__(self) -> str:
         """Say what was chosen and why, in a line."""

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from wireprint.verdict import Point
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Standing:
     """What stands, in the machine's coordinates, mm."""
 
@@ -41,6 +41,11 @@ class Standing:
     objects: bytes = b""
     #: What both are read by.
     settings: Settings | None = None
+
+    def __repr__(self) -> str:
+        """Say what stands, not its text."""
+        prints = ", ".join(name for name, _ in self.prints) or "no prints"
+        return f"<Standing {prints}{', objects' if self.objects else ''}>"
 
     @cached_property
     def text(self) -> bytes:

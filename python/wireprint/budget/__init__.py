@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 __all__ = ["Alternative", "Budget", "BudgetError", "Budgeted", "within"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Budgeted:
     """The print that was chosen, and what it was chosen from."""
 
@@ -39,6 +39,10 @@ class Budgeted:
     give_by: str
     #: Number of prints that were tried.
     tried: int
+
+    def __repr__(self) -> str:
+        """Say what was chosen."""
+        return f"<Budgeted within {self.budget}: {self.made!r}, the best of {self.tried}>"
 
     @property
     def chosen(self) -> Alternative:
