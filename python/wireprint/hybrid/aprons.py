@@ -48,6 +48,7 @@ def aprons(
     areas: Geometries,
     outer: Geometries,
     walls: Geometries,
+    doubled: Geometries,
     recipe: Recipe,
     on_step: Callable[[str], None],
 ) -> list[Group]:
@@ -61,6 +62,8 @@ def aprons(
         What the model covers on each layer, shape (K,).
     outer, walls
         The centre lines of the outer walls on each layer, and of all walls, shape (K,).
+    doubled
+        The centre lines of walls that no strand may lie on, shape (K,).
     recipe
         Widths.
     on_step
@@ -105,7 +108,7 @@ def aprons(
     between = shapely.symmetric_difference(here, below)
     room = shapely.intersection(between, buffered(loose, reach))
     room = shapely.intersection(room, grown(_about(rims, loose, 2 * reach), reach))
-    about = _about(walls[layers], loose, reach + step)
+    about = _about(doubled[layers], loose, reach + step)
     room = shapely.difference(room, grown(about, _DOUBLE * step))
     below = pieces_in(shapely.intersection(below, shapely.box(*boxes.T)), boxes)
     groups = []

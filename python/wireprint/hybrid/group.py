@@ -29,6 +29,14 @@ class Group:
     #: Whether they lie behind the outer wall.
     is_inside: bool
 
+    @property
+    def strings(self) -> Geometries:
+        """Its lines as line strings, which are open, shape (N,)."""
+        sizes = np.diff(self.lines.offsets)
+        indices = np.repeat(np.arange(len(sizes)), sizes)
+        found: Geometries = shapely.linestrings(self.lines.points, indices=indices)
+        return found
+
     @classmethod
     def of_strings(
         cls, strings: Geometries, layer: Ints, least_mm: float, *, is_inside: bool

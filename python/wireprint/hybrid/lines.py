@@ -39,6 +39,10 @@ if TYPE_CHECKING:
 _WALLED = 0.5
 #: … nor do those shorter than this many line widths.
 _SHORTEST = 1.5
+#: Walls this part of a line's width beside a strand lie on it …
+_ON_IT = 0.12
+#: … and what is left of them is at least this many line widths long.
+_SHORTEST_WALL = 1.0
 _NOTHING = shapely.MultiPolygon(), shapely.MultiLineString()
 #: What is closed reaches beyond the outer wall by this part of a line's width.
 _BEYOND = 0.1
@@ -106,10 +110,12 @@ def lay(
     filled = shapely.union(deep.filled, floor.firm)
     stack = Stack(areas, filled, recipe)
     outer, inner = (shapely.boundary(offset(solid, -mm)) for mm in (inset_mm, walls_mm))
-    outer, inner = shapely.union(outer, edge.outer), shapely.union(inner, edge.innermost)
-    groups = aprons(cut, areas, outer, shapely.union(outer, inner), recipe, on_step)
+    outer = shapely.union(outer, edge.outer)
+    doubled, inner = shapely.union(outer, inner), shapely.union(inner, edge.innermost)
+    groups = aprons(cut, areas, outer, shapely.union(outer, inner), doubled, recipe, on_step)
+    behind_walls = _clear_of(groups, edge.groups[1:], recipe)
     on_step("walls and fill")
-    groups += [*_islands(solid, floor, stack, inset_mm), *edge.groups]
+    groups += [*_islands(solid, floor, stack, inset_mm), *edge.groups[:1], *behind_walls]
     on_step("fill behind walls")
     groups += stack.filled(deep.filled, edge.innermost, deep.turn_rad)
     groups += stack.filled(*_left_open(solid, floor, walls_mm))
@@ -131,6 +137,29 @@ def _routed(groups: list[Group], z: Floats, recipe: Recipe) -> Route:
     found = routed(lines, places[:, 0], z, recipe.seam_gap_mm)
     inside = np.array([group.is_inside for group in groups])
     return replace(found, group=inside[found.group].astype(np.int64))
+
+
+def _clear_of(laid: list[Group], walls: list[Group], recipe: Recipe) -> list[Group]:
+    """Leave out of inner walls what would lie on strands that lead up to the outer ones.
+
+    These come first, and one that was missing among them would leave all that lean on it in the
+    air; a wall behind the outer one can be missing.
+    """
+    if not laid:
+        return walls
+    apart_mm, least_mm = _ON_IT * recipe.width_mm, _SHORTEST_WALL * recipe.width_mm
+    strands = np.concatenate([group.strings for group in laid])
+    below, place = np.unique(np.concatenate([group.layer for group in laid]), return_inverse=True)
+    order = np.argsort(place, kind="stable")
+    near = buffered(shapely.multilinestrings(strands[order], indices=place[order]), apart_mm)
+    cleared = []
+    for group in walls:
+        there = np.searchsorted(below, group.layer)
+        met = np.flatnonzero(np.isin(group.layer, below))
+        left = group.strings.copy()
+        left[met] = shapely.difference(left[met], near[there[met]])
+        cleared.append(Group.of_strings(left, group.layer, least_mm, is_inside=True))
+    return cleared
 
 
 def _whole_contours(cut: Cut, samples: Samples, runs: Runs) -> Bools:
