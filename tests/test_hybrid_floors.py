@@ -9,7 +9,7 @@ import trimesh
 from wireprint._core import Mesh
 from wireprint.hybrid.prove import proved
 from wireprint.hybrid.sketch import Sketch
-from wireprint.regions import Box, Region, ZRange
+from wireprint.regions import Box, Region, Stroke, ZRange
 from wireprint.settings import Settings
 
 SETTINGS = Settings.load(overrides=["gcode.thumbnails=[]"])
@@ -78,3 +78,30 @@ def test_what_is_too_wide_to_bridge_stays_open_and_is_told():
     layers = np.flatnonzero(open_mm2)
     # Each layer leans inwards over the one below.
     assert open_mm2[layers[-1]] < open_mm2[layers[0]]
+
+
+@pytest.mark.parametrize(("printer", "material"), [("voron-2.4", "abs"), ("prusa-mk4s", "pla")])
+@pytest.mark.parametrize("from_the_pole_deg", [14, 18])
+def test_a_stroke_on_a_shallow_underside_is_layers(printer, material, from_the_pole_deg):
+    """Walls lie several strands aside of those below: all between lean on each other."""
+    radius_mm, slant = 35.0, np.radians(from_the_pole_deg)
+    ball = trimesh.creation.icosphere(subdivisions=4, radius=radius_mm)
+    sketch = _sketch(ball, Settings.load(printer, material, overrides=["gcode.thumbnails=[]"]))
+    around = np.radians(np.linspace(0, 60, 6))
+    normals = np.column_stack(
+        [
+            np.sin(slant) * np.cos(around),
+            np.sin(slant) * np.sin(around),
+            np.full(6, -np.cos(slant)),
+        ]
+    )
+    points = (0, 0, radius_mm) + radius_mm * normals
+    mark = Stroke(
+        points_mm=tuple(map(tuple, points.tolist())),
+        normals=tuple(map(tuple, normals.tolist())),
+        radius_mm=6.0,
+    )
+    found = proved(sketch, Region().add(mark))
+    assert found.verdict.ok
+    assert found.plan.runs.dropped == ()
+    assert found.trimmed_mm <= 0.02 * found.layer_wise_mm

@@ -314,6 +314,16 @@ def test_a_mark_is_made_and_a_file_exported_by_keyboard_alone(page):
     assert download.value.suggested_filename == "cube.3mf"
 
 
+def test_escape_closes_the_menu_of_exports(page):
+    page.get_by_label("more to export").press("Enter")
+    entry = page.get_by_role("menuitem", name="Strokes (JSON)")
+    entry.wait_for()
+    entry.focus()
+    page.keyboard.press("Escape")
+    entry.wait_for(state="hidden")
+    assert page.evaluate("document.activeElement.tagName") == "SUMMARY"
+
+
 def test_handles_move_a_shape(page):
     page.keyboard.press("1")
     settled(page)

@@ -47,6 +47,12 @@ export function ExportMenu({ studio }: { studio: Studio }): JSX.Element {
         onFocusOut={(event) => {
           if (!event.currentTarget.contains(event.relatedTarget as Node | null)) event.currentTarget.open = false;
         }}
+        onKeyDown={(event) => {
+          if (event.key !== "Escape" || !event.currentTarget.open) return;
+          event.stopPropagation();
+          event.currentTarget.open = false;
+          event.currentTarget.querySelector("summary")?.focus();
+        }}
       >
         <summary class="primary" aria-label="more to export">
           <Icon name="down" />
