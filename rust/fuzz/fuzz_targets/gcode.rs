@@ -62,7 +62,13 @@ fn rules() -> Rules {
         span_limit: 65.0,
         free_end_limit: 20.0,
         bed: Bed::new(DVec2::ZERO, dvec2(85.0, 85.0), true, 240.0),
-        limits: Bounds { feed: 300.0, flow: 15.0, filament_only: 50.0, pulled_back: 1.0, filament_area: 2.405 },
+        limits: Bounds {
+            feed: 300.0,
+            flow: 15.0,
+            filament_only: 50.0,
+            pulled_back: 1.0,
+            filament_area: 2.405,
+        },
         settling: Settling { dwell: 1.0, slow: 5.0 },
         coldest: 170.0,
     }
