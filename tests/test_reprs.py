@@ -21,6 +21,7 @@ def objects(cube_stl):
         "Toolpath": made.toolpath,
         "Certificate": made.certificate,
         "Estimate": wireprint.estimate(made.gcode),
+        "Estimate ": made.estimate,
         "PerMove": wireprint.estimate(made.gcode, per_move=True).per_move,
         "Forecast": wireprint.simulate(made.gcode, settings),
         "Comparison": wireprint.compare(mesh, settings, conditions=["wireprint"]),
@@ -33,7 +34,7 @@ def objects(cube_stl):
 
 def test_each_is_a_short_line_that_names_its_class(objects):
     for name, thing in objects.items():
-        assert type(thing).__name__ == name
+        assert type(thing).__name__ == name.strip()
         shown = repr(thing)
         assert shown.startswith(f"<{name}")
         assert len(shown) < 200, shown

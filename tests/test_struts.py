@@ -291,6 +291,17 @@ def test_the_command_writes_gcode_graph_and_frames(tmp_path):
     assert out[2].read_text().startswith("kind,x_mm")
 
 
+def test_two_outputs_are_two_files(tmp_path):
+    source, out = tmp_path / "tower.json", tmp_path / "both.json"
+    source.write_bytes(struts_as(tower(2), "json", 0.35))
+    told = run(
+        source, "-o", tmp_path / "a.gcode", "--graph", out, "--frames", tmp_path / "./both.json"
+    )
+    assert told.exit_code != 0
+    assert "two outputs" in told.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["tower.json"]
+
+
 def test_the_command_names_what_it_cannot_print(tmp_path):
     source = tmp_path / "a.obj"
     source.write_text("v 0 0 0\nv 9 0 0\nv 0 0 90\nv 9 0 90\nl 1 2\nl 3 4\n")

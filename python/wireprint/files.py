@@ -123,6 +123,24 @@ def output(
     return Output(path, makes_folder=in_folder)
 
 
+def distinct(outputs: Iterable[Output | None]) -> None:
+    """Refuse to write two things to one file.
+
+    Raises
+    ------
+    OutputError
+        Two of the outputs are the same.
+    """
+    taken: set[str] = set()
+    for path in (one.path for one in outputs if one is not None):
+        if path is None or _is_special(path):
+            continue
+        real = os.path.realpath(path)
+        if real in taken:
+            raise OutputError(f"{path}: two outputs would be written to this file; name another")
+        taken.add(real)
+
+
 def to_stdout(content: bytes) -> None:
     """Write to stdout.
 

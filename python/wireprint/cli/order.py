@@ -92,6 +92,7 @@ def order(
     for name, suffixes in ((graph_out, _GRAPHS), (frames_out, _FRAMES)):
         default = f"{graph.stem}.ordered{suffixes[0]}"
         others.append(None if name is None else files.output(name, default, suffixes, inputs))
+    files.distinct([target, *others])
     from wireprint.duration import duration
     from wireprint.gcode.document import dated
     from wireprint.struts import order as ordered

@@ -40,6 +40,10 @@ impl Estimate {
         Ok(Self { core: kept::restored(state)? })
     }
 
+    fn __repr__(&self) -> String {
+        format!("<Estimate {:.1} s, {} moves>", self.core.total_s(), self.core.moves)
+    }
+
     /// Everything, s.
     #[getter]
     fn total_s(&self) -> f64 {
