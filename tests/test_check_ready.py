@@ -351,17 +351,3 @@ def test_g10_without_g11_is_missed():
     assert found.underfed[0].line > index
     both = [*lines[:index], "M207 S4", "G10", "G11", *lines[index:]]
     assert judge(both, "kossel-mini").ok
-
-
-@some
-@given(printer=printers, share=st.floats(0.1, 0.9), mm=st.floats(12, 200))
-def test_a_blob_within_a_print_is_not_judged_and_one_before_it_purges(printer, share, mm):
-    lines, strands = list(lines_of(printer)), strands_of(printer)
-    index = strands[int(share * len(strands))]
-    blob = ["M83", f"G1 E{mm:.3f} F120"]
-    found = judge([*lines[:index], *blob, *lines[index:]], printer)
-    assert not found.ok
-    assert found.unjudged[0].line == index + 2
-    assert "in place" in found.unjudged[0].command
-    first = strands[0]
-    assert not judge([*lines[:first], *blob, *lines[first:]], printer).unjudged

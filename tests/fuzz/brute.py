@@ -55,7 +55,6 @@ class Judge:
         for chain in self.chains():
             Walk(self, chain, held).go()
             self.feed(chain, held)
-        self.blobs()
         return self.verdict
 
     def line(self, strand: int) -> int:
@@ -154,18 +153,6 @@ class Judge:
                 self.verdict.add("underfed", self.line(first))
             running = low
             first, length, hanging, filament, top = strand + 1, 0.0, 0.0, 0.0, 0.0
-
-    def blobs(self) -> None:
-        """No blob as thick as five strands beside the print, once that is begun."""
-        thick_mm, fed_mm = 5 * self.strand_mm, 0.0
-        most_mm = math.pi / 6 * thick_mm**3 / self.rules["limits"]["filament_area_mm2"]
-        for number, move in enumerate(self.moves):
-            before_mm = fed_mm
-            fed_mm = fed_mm + max(self.out[number], 0.0) if move.start == move.end else 0.0
-            if before_mm <= most_mm < fed_mm and self.strands.move[0] < number:
-                away_mm = distances(np.array(move.end), np.array(self.strands.ends))
-                if away_mm.min() <= thick_mm:
-                    self.verdict.add("blobs", move.line)
 
     def settled(self, strand: int) -> bool:
         """Whether the head dwells at a strand's end for long enough."""

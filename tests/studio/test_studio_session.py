@@ -7,6 +7,7 @@ from studio_talk import Talk, source_of
 
 from command import run
 from wireprint import examples, simulate
+from wireprint.forecast_scales import scale_of
 from wireprint.forecast_words import sentences
 
 
@@ -374,7 +375,10 @@ def test_a_print_is_forecast_strand_by_strand(talk):
         told = shares[shares >= 0]
         assert told.size
         assert told.max() <= 1
-    sag = found.sag_mm / head["figures"]["sag"]["most"]
+    scale = scale_of(found, "sag")
+    told = {"name": "sag", "unit": "mm", "most": scale.written(scale.edges[-1])}
+    assert head["figures"]["sag"] == told
+    sag = found.sag_mm / scale.edges[-1]
     assert np.array_equal(np.isnan(sag), arrays["sag"] < 0)
     assert np.allclose(arrays["sag"][~np.isnan(sag)], np.minimum(sag[~np.isnan(sag)], 1), atol=1e-6)
 

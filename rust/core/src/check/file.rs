@@ -28,19 +28,15 @@ pub fn certify_text(
     memory::claim(lines * BYTES_PER_MOVE, || format!("judging {lines} lines"))?;
     let read = Reading::of(text, settings, macros, rules.coldest);
     let notes = read.notes;
-    let judged = certify(&notes.moves, &notes.dwells, rules);
-    let mut unjudged = notes.unjudged;
-    unjudged.extend(judged.unjudged.iter().cloned());
-    unjudged.sort_by_key(|one| one.line);
     Ok(Certificate {
         cold: notes.cold,
         unhomed: notes.unhomed,
-        unjudged,
+        unjudged: notes.unjudged,
         harmless: notes.harmless,
         preparing: notes.preparing,
         garbage_lines: notes.garbage_lines,
         features: read.features,
         relative_assumed: read.relative_assumed,
-        ..judged
+        ..certify(&notes.moves, &notes.dwells, rules)
     })
 }

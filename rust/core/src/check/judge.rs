@@ -25,7 +25,6 @@ pub fn certify(moves: &[Step], dwells: &[Dwell], rules: &Rules) -> Certificate {
         || rayon::join(hold, || bounds::breaches(moves, rules)),
     );
     Certificate {
-        unjudged: outflow::blobs(moves, &out, &deposit, rules),
         collisions,
         floating_starts: held.floating_starts,
         dangling_ends: held.dangling_ends,
